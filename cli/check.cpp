@@ -260,7 +260,7 @@ CheckedMotion checked_motion(const CheckArguments& arguments, const Arm& arm,
   checked.clearance =
       is_followed
           ? arguments.scene.prove(*scene, trajectory, checked.followed(arguments.through), budget)
-      : checked.program ? arguments.scene.prove(*scene, trajectory, budget, std::nullopt)
+      : checked.program ? arguments.scene.prove_from(std::nullopt, *scene, trajectory, budget)
                         : arguments.scene.prove(*scene, trajectory, budget);
   return checked;
 }

@@ -83,12 +83,12 @@ std::string SceneArgument::start_clause(const CheckedScene& scene, const Configu
 ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
                                      const Budget& budget) const {
   const Trajectory first{motion.joint_names, {0}, {motion.positions.front()}, {}, {}};
-  return prove(scene, motion, budget, matched_to(scene.model.arm(), first).positions.front());
+  return prove_from(matched_to(scene.model.arm(), first).positions.front(), scene, motion, budget);
 }
 
-ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
-                                     const Budget& budget,
-                                     const std::optional<Configuration>& start) const {
+ClearanceReport SceneArgument::prove_from(const std::optional<Configuration>& start,
+                                          const CheckedScene& scene, const Trajectory& motion,
+                                          const Budget& budget) const {
   ClearanceReport report{.scene = &scene,
                          .clearance = scene.clearance,
                          .proof = prove_clearance(scene.model, motion, proof_options(budget))};

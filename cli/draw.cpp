@@ -199,7 +199,7 @@ Verb draw_verb() {
                                   &arguments->motion, false)},
       .options = joined({draw_options(*arguments), arguments->animation.options(),
                          arguments->recording.options(), arguments->unit.options(),
-                         arguments->scene.options(), arguments->arm.options()}),
+                         arguments->scene.distance_options(), arguments->arm.options()}),
       .examples = {{"The planar arm with the columns of its Jacobian",
                     "beeline draw rrr --q 0,90,0 --degrees --jacobian --out rrr.svg"},
                    {"All frames of a UR5", "beeline draw ur5 --frames --out ur5.pdf"},

@@ -86,7 +86,7 @@ struct ProvedScene {
   std::optional<ClearanceReport> recovering = std::nullopt;
 
   Reason blocked(const Trajectory& motion, const Budget& budget) {
-    ClearanceReport report = arguments.scene.prove(scene, motion, budget, start);
+    ClearanceReport report = arguments.scene.prove_from(start, scene, motion, budget);
     Reason reason = report.proof.reason;
     const bool recovers = recovery_of(scene.model.arm(), motion).has_value();
     std::optional<ClearanceReport>& first = recovers ? recovering : reason ? refused : kept;
@@ -111,7 +111,7 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
     };
     options.recover_clearance = arguments.scene.recover_clearance.value_or(0);
   }
-  if (!start && arguments.scene.recover_clearance) {
+  if (!start && arguments.scene.recover_clearance.value_or(0) > 0) {
     throw Error("--recover-clearance needs --from");
   }
   const auto begin = [&] { return forward_kinematics(arm, nearest_within_limits(arm, *start)); };

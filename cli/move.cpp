@@ -200,8 +200,8 @@ Answer proved_answer(const MoveArguments& arguments, const Arm& arm, const Confi
       .yes = reached,
       .reason = clearance && !reached ? clearance->reason_text() : sentence(motion.reason)};
   answer.document.add(json_reason(motion.reason));
-  answer.document.add("tool_at_goal", json_pose(goal, arm.planar(), arguments.unit));
   if (reached) {
+    answer.document.add("tool_at_goal", json_pose(goal, arm.planar(), arguments.unit));
     answer.document.add("limits", json_limits(motion.limits));
     answer.document.add("start_jump", json_start_jump(arm, motion.start_jump, arguments.unit));
     if (arguments.method == quickest) {

@@ -151,10 +151,10 @@ struct SceneArgument {
   /// Proves or refutes that the motion keeps its clearance.
   ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,
                         const Budget& budget) const;
-  /// The same; the reason of a refusal says what start_clause() says of another start than the
-  /// motion's, or nothing where --recover-clearance is not for the motion.
-  ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion, const Budget& budget,
-                        const std::optional<Configuration>& start) const;
+  /// The same for a motion whose refusal may be because of this start, see start_clause(); nothing
+  /// if the motion cannot take --recover-clearance.
+  ClearanceReport prove_from(const std::optional<Configuration>& start, const CheckedScene& scene,
+                             const Trajectory& motion, const Budget& budget) const;
   /// The same for the motion of a program, with the parts that it attaches. Throws FileError for
   /// its rows.
   ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,

@@ -89,7 +89,8 @@ struct PathMotionOptions {
   /// Default: every motion may be given.
   BlockedMotions blocked_by = {};
   /// Largest depth from which a motion from a given start may lead out of the clearance of
-  /// `blocked_by`, m: ClearanceOptions::recover_clearance. The path itself must lead out.
+  /// `blocked_by`, m: ClearanceOptions::recover_clearance. The path itself must lead out;
+  /// nearby paths are not suggested from such a start.
   double recover_clearance = 0;
   /// Whether to search for nearby paths if the path cannot be followed or its motions are blocked.
   bool suggest = false;
@@ -157,9 +158,8 @@ constexpr std::size_t max_stops = 5000;
 ///
 /// - With options.recover the motion may begin with a recovery. verify() proves, with the same
 ///   option, that no joint moves out in it; options.blocked_by counts for it too.
-/// - With options.recover_clearance the motion may begin closer than the clearance:
-/// prove_clearance()
-///   proves it with the same option.
+/// - With options.recover_clearance the motion may begin closer than the clearance, which
+///   prove_clearance() proves with the same option.
 ///
 /// Throws Error for a start outside the limits or with the tool elsewhere, an option out of range,
 /// a route without segments or with more than max_stops stops, and a task that its segments do not

@@ -54,7 +54,6 @@ TEST(BatchInverse, IsTheSolversAnswers) {
   }
 }
 
-// A pose that a single call refuses is an error of the argument, whatever the other rows are.
 /// The arm with its joints' frames turned by angles that a description has rounded.
 Arm with_rounded_angles(const Arm& arm, testing::Random& random) {
   std::vector<Joint> joints = arm.joints();
@@ -92,6 +91,7 @@ TEST(BatchInverse, KeepsTheToleranceForAnArmWithRoundedAngles) {
   EXPECT_GT(closed, 0);
 }
 
+// A pose that a single call refuses is an error of the argument, whatever the other rows are.
 TEST(BatchInverse, NamesTheRowThatIsNoPoseOfTheArm) {
   const Arm planar = built_in("rrr"), ur5 = built_in("ur5");
   for (const Arm* const arm : {&planar, &ur5}) {

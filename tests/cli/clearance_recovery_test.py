@@ -125,9 +125,12 @@ def test_the_start_is_from_with_recover_too(beeline, cell, tmp_path, written):
 def test_the_limit_of_work_is_no_matter_of_the_start(beeline, cell, written):
     written("up.csv", "x,y,z\n0,0.5,0\n")
     line = ["line", "disc.json", "--through", "up.csv", "--task", "position", *cell, "--from=0,0.203", "--recover-clearance", "0.01"]
-    for work in range(1, 200, 8):
-        answer = beeline(*line, "--max-work", str(work))
-        assert answer.code == 0 or "work" in answer.err and "must lead out" not in answer.err, answer.err
+    codes = set()
+    for work in (1, 4, 16, 64, 256, 1024, 100000):
+        answer = beeline(*line, "--max-work", str(work), "--json")
+        codes.add(answer.code)
+        assert answer.code == 0 or answer.json["status"] == "work_limit" and "must lead out" not in answer.err, answer.err
+    assert codes == {0, 1}
 
 
 def test_a_program_does_not_lead_out(beeline, cell, written):

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
 #include <cmath>
 #include <vector>
 
-#include <beeline/math/minimum_norm.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline::testing {
@@ -15,7 +14,7 @@ inline Eigen::VectorXd affine_minimum(const Eigen::MatrixXd& points) {
   Eigen::VectorXd weights = Eigen::VectorXd::Unit(count, 0);
   if (count == 1) return weights;
   const Eigen::MatrixXd edges = points.rightCols(count - 1).colwise() - points.col(0).eval();
-  const Eigen::VectorXd along = internal::minimum_norm_solution(edges, -points.col(0)).x;
+  const Eigen::VectorXd along = edges.completeOrthogonalDecomposition().solve(-points.col(0));
   weights << 1 - along.sum(), along;
   return weights;
 }

@@ -33,7 +33,7 @@ struct PieperForm {
   /// configuration.
   std::optional<PieperSolver> solver;
   bool verified = true;   ///< whether it recovered random configurations of the arm
-  double error = 0;       ///< largest error of these, metres and radians
+  double error = 0;       ///< largest error of these, m and rad; infinite if it is unknown
   std::string name = {};  ///< PieperSolver::family()
 
   using Key = Task;

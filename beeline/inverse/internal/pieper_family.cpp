@@ -15,13 +15,14 @@
 namespace beeline::internal {
 namespace {
 
-/// Returns whether the closed form recovers random configurations of the arm, or reports a
-/// continuum. It may do neither if axes of its loop coincide. Sixteen trials suffice, because it
-/// then fails almost everywhere. The tolerance 1e-4 is far below the distance of other solutions
-/// and far above rounding. Raises `error` to the largest error of the recovered ones.
-bool recovers_configurations(const PieperSolver& kept, const Arm& arm, const Task& task,
-                             double& error) {
+/// Returns the largest error of random configurations of the arm that the closed form recovers,
+/// infinite if it reports a continuum for all of them, or nothing if it does neither for one. That
+/// happens if axes of its loop coincide. Sixteen trials suffice, because it then fails almost
+/// everywhere. The tolerance 1e-4 is far below the distance of other solutions and far above
+/// rounding.
+std::optional<double> recovered_error(const PieperSolver& kept, const Arm& arm, const Task& task) {
   constexpr int trials = 16;
+  std::optional<double> error;
   std::optional<PieperSolver> own;
   const Configuration zero = Configuration::Zero(arm.dof());
   const Bounds open = no_bounds(arm);
@@ -32,7 +33,7 @@ bool recovers_configurations(const PieperSolver& kept, const Arm& arm, const Tas
     for (double& value : q) value = 2 * random.next() - 1;
     const Pose goal = forward_kinematics(arm, q);
     const PieperSolver* form = kept.for_goal(chain_of(arm), goal, own);
-    if (form == nullptr) return false;
+    if (form == nullptr) return std::nullopt;
     PieperBranches found;
     const double value = kept.locked() ? q[*kept.locked()] : 0;
     form->branches(goal, value, loop, found);
@@ -43,11 +44,11 @@ bool recovers_configurations(const PieperSolver& kept, const Arm& arm, const Tas
       met = same_posture(arm, q, recovered, 1e-4);
       if (!met) continue;
       const Deviation off = task_deviation(task, goal, forward_kinematics(arm, recovered));
-      error = std::max({error, off.position, off.orientation});
+      error = std::max({error.value_or(0), off.position, off.orientation});
     }
-    if (!met) return false;
+    if (!met) return std::nullopt;
   }
-  return true;
+  return error.value_or(Limits::none);
 }
 
 /// Whether an arm of six joints can move with the tool at rest from every configuration, such as a
@@ -364,7 +365,9 @@ PieperForm PieperForm::make(const Arm& arm, const Task& task) {
   PieperForm form;
   if (!moves_with_tool_at_rest(arm)) form.solver = PieperSolver::make(arm, task);
   if (!form.solver) return form;
-  form.verified = recovers_configurations(*form.solver, arm, task, form.error);
+  const std::optional<double> error = recovered_error(*form.solver, arm, task);
+  form.verified = error.has_value();
+  form.error = error.value_or(Limits::none);
   form.name = form.solver->family();
   return form;
 }

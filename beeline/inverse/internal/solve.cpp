@@ -143,9 +143,9 @@ Request request_of(const SolverState& state, const Pose& world_T_tool, const Con
   return make_request(state, world_T_tool, wrapped, budget);
 }
 
-/// Whether the residual of a closed form is the error of its solutions: by rounded angles of a
-/// description, axes may be up to 1e-9 from where the closed form takes them to be.
-bool closes_exactly(const SolverState& state, double tolerance) {
+/// Whether the residual of a closed form is the error of its solutions, to the tolerance. An arm
+/// whose description rounds angles has axes up to 1e-9 from those that the closed form assumes.
+bool residual_is_error(const SolverState& state, double tolerance) {
   constexpr double margin = 10;
   return !state.pieper || margin * (*state.pieper)->error <= tolerance;
 }
@@ -198,7 +198,7 @@ int solve_into(SolverState& state, const Pose& world_T_tool, const Configuration
     Configuration wrapped;
     Request request = request_of(state, world_T_tool, seed, budget, wrapped);
     request.quick = true;
-    request.trusts_closed_loops = closes_exactly(state, request.tolerance);
+    request.trusts_closed_loops = residual_is_error(state, request.tolerance);
     StageResult found;
     if (keeps_locked_value(state, seed) && run_quick_stages(state, request, found)) {
       sort_solutions(request, *found.solutions);

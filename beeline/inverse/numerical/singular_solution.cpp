@@ -51,6 +51,7 @@ Eigen::VectorXd newton_step(const NumericalGoal& goal, const Configuration& q,
       a.block(rank + i * still, k, still, 1) = null_space.transpose() * (change.transpose() * u);
     }
   }
+  if (!a.allFinite()) return Eigen::VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN());
   return Eigen::JacobiSVD<Eigen::MatrixXd>(a, Eigen::ComputeThinU | Eigen::ComputeThinV).solve(b);
 }
 

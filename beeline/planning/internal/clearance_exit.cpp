@@ -19,6 +19,7 @@ Configuration step_apart(const std::vector<BodyDistance>& pairs, double raised) 
     gradients.row(i) = pair.gradient.transpose();
     missing[i] = (1 + raised) * pair.clearance - pair.lower;
   }
+  if (!gradients.allFinite()) return Configuration::Zero(gradients.cols());
   const unsigned thin = Eigen::ComputeThinU | Eigen::ComputeThinV;
   return Eigen::JacobiSVD<Eigen::MatrixXd>(gradients, thin).solve(missing);
 }

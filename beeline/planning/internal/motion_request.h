@@ -18,6 +18,7 @@ struct MotionRequest {
   RetimeOptions timing;
   VerifyOptions proof;
   ClearanceOptions clearance = {};  ///< options of BlockedMotions::reason
+
   const Task& task() const { return branch.task; }
 
   /// A fraction of the tolerance of the proof.

@@ -6,6 +6,7 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/branch.h>
 #include <beeline/planning/internal/current_scene.h>
+#include <beeline/planning/internal/independent_rows.h>
 #include <beeline/planning/internal/line_blends.h>
 #include <beeline/planning/internal/motion_along.h>
 #include <beeline/planning/internal/motion_request.h>
@@ -35,15 +36,13 @@ class ProgramPlanner {
   }
 
   ProgramMotion run(const std::optional<Configuration>& start) {
-    if (!plan(start)) {
-      ProgramMotion failure;
-      failure.status = motion_.status;
-      failure.reason = motion_.reason;
-      failure.failed = motion_.failed;
-      failure.limit_margin = failure.inverse_condition = 0;
-      return failure;
-    }
-    return motion_;
+    if (plan(start)) return motion_;
+    ProgramMotion failure;
+    failure.status = motion_.status;
+    failure.reason = motion_.reason;
+    failure.failed = motion_.failed;
+    failure.limit_margin = failure.inverse_condition = 0;
+    return failure;
   }
 
  private:
@@ -242,7 +241,7 @@ class ProgramPlanner {
   }
 
   /// Configurations at which the move around obstacles of part p may end, the soonest reached
-  /// first. Fails if a path follows and all of them are blocked.
+  /// first. Fails if a path follows and all solutions of an arm that is not redundant are blocked.
   std::vector<Configuration> goals_around(std::size_t p) {
     const std::size_t i = parts_[p].first;
     if (program_.moves[i].q) return {*program_.moves[i].q};
@@ -253,16 +252,16 @@ class ProgramPlanner {
     std::optional<Configuration> q;
     if (goals.empty() && solution_at(i, target, from, q)) goals.push_back(*q);
     if (!path_follows(p)) return goals;
-    if (Reason blocked = scene_->erase_blocked(goals); blocked && goals.empty()) {
-      fail(i, status_of_blocked(blocked), blocked);
-      return goals;
-    }
+    std::vector<Configuration> free = goals;
+    const Reason blocked = scene_->erase_blocked(free);
     std::optional<PathMotion> ahead;
     std::erase_if(goals, [&](const auto& goal) { return !has_branch(p + 1, goal); });
     if (goals.empty() && follow(p + 1, std::nullopt, ahead)) {
       goals.push_back(ahead->trajectory.positions.front());
     }
-    return goals;
+    if (!free.empty() || goals.empty() || is_redundant(arm_, *options_.task)) return goals;
+    fail(i, status_of_blocked(blocked), blocked);  // at all solutions, of which a line is possible
+    return {};
   }
 
   /// Takes the next goals of a move around obstacles out of `goals`: all, or a few from which the

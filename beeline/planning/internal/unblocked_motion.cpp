@@ -71,9 +71,9 @@ PathMotion motion_of(const MotionRequest& request, const Branch& branch,
   return planned_unblocked(std::move(from_start), blocked_by, budget);
 }
 
-/// The distance beyond the clearance that a plan keeps. Beside a start that is closer than the
-/// clearance, it is counted from the distance there, less and less with the way from the start: the
-/// proof decides whether the motion leads out.
+/// The distance beyond the clearance that a plan keeps positive. From a start that is closer than
+/// the clearance, by `missing`, it is spare(q) + missing max(0, 1 - |q - start| / far) in the
+/// largest norm: the plan may begin there, and the proof decides whether the motion leads out.
 std::function<double(const ConfigurationRef&)> spare_beside(
     const std::optional<Configuration>& start, const BlockedMotions& blocked_by) {
   constexpr double far = 0.5;  // radians or metres of a joint
@@ -86,7 +86,7 @@ std::function<double(const ConfigurationRef&)> spare_beside(
   };
 }
 
-/// The same with a self-motion that keeps clear.
+/// Plans, times and proves a motion with a self-motion that keeps clear.
 PathMotion motion_aside(const MotionRequest& request, const BlockedMotions& blocked_by,
                         BudgetMeter& budget) {
   MotionRequest aside = request;

@@ -73,7 +73,7 @@ TEST(Xacro, XacrodocIsPreferred) {
 }
 
 // Most models outside of ROS have no package.xml, by which xacrodoc finds packages.
-TEST(Xacro, XacrodocIsToldWhereThePackagesAboveTheFileAre) {
+TEST(Xacro, PackagesAboveTheFileAreFoundWithoutPackageXml) {
   const TemporaryFolder folder;
   namespace fs = std::filesystem;
   for (const char* const each : {"arms/my_arm/urdf", "arms/gripper"}) {
@@ -87,6 +87,10 @@ TEST(Xacro, XacrodocIsToldWhereThePackagesAboveTheFileAre) {
                                " -p my_arm:=" + folder.file("arms/my_arm") + " " + path +
                                "\" ] && [ $# = 5 ] && " + printing(testing::robot(expanded)));
   EXPECT_EQ(read_arm(path).dof(), 1);
+  programs.add("xacrodoc", "[ $# = 1 ] && " + printing(testing::robot(expanded)));
+  EXPECT_EQ(read_arm(path).dof(), 1);  // it has found them itself
+  programs.add("xacrodoc", "echo 'no package' >&2\nexit 1\n");
+  EXPECT_REFUSED(read_arm(path), "a.xacro: xacrodoc fails: no package");
 }
 
 TEST(Xacro, WithoutAProgramTheErrorNamesIt) {

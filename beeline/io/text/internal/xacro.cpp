@@ -57,20 +57,23 @@ std::optional<std::filesystem::path> package_folder(const std::string& name,
   return std::nullopt;
 }
 
-/// The options of xacrodoc that say where the packages are that `$(find NAME)` names in a text:
-/// itself it finds those that have a file package.xml or that ROS knows.
-std::vector<std::string> package_options(std::string_view text, const std::filesystem::path& file) {
+/// The options of xacrodoc with the folders of the packages that `$(find NAME)` names in a text.
+/// Without them, xacrodoc finds packages that have a file package.xml or that ROS knows.
+std::vector<std::string> package_options(std::string_view text, const std::string& path) {
   constexpr std::string_view opening = "$(find ";
-  constexpr std::size_t most = 100;  // names
+  constexpr std::size_t max_names = 100;
+  std::error_code fault;
+  const std::filesystem::path file = std::filesystem::weakly_canonical(path, fault);
   std::set<std::string> names;
-  for (std::size_t at = text.find(opening); at != std::string_view::npos && names.size() < most;
-       at = text.find(opening, at + 1)) {
+  for (std::size_t at = text.find(opening);
+       at != std::string_view::npos && names.size() < max_names; at = text.find(opening, at + 1)) {
     const std::size_t begin = at + opening.size(),
                       end = std::min(text.find(')', begin), text.size());
     const std::string_view name = text.substr(begin, end - begin);
-    const bool usable = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-      return std::isalnum(c) != 0 || c == '_';
-    });
+    const bool usable = !name.empty() && name.front() != '-' &&
+                        std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                          return std::isalnum(c) != 0 || c == '_' || c == '-';
+                        });
     if (usable) names.emplace(name);
   }
   std::vector<std::string> options;
@@ -137,13 +140,15 @@ void ExpandedText::expand(const std::string& path) {
                     "and pass the URDF that it writes");
   }
   const std::string absolute = std::filesystem::absolute(path).string();  // begins with no dash
-  std::vector<std::string> command{*found};
-  if (program_ == "xacrodoc") {
-    const std::vector<std::string> packages = package_options(text_, absolute);
-    command.insert(command.end(), packages.begin(), packages.end());
+  ProgramOutput read = run_program({*found, absolute}, xacro_bounds);
+  if (read.ending == ProgramOutput::Ending::failed && program_ == "xacrodoc") {
+    std::vector<std::string> command = package_options(text_, path);
+    if (!command.empty()) {
+      command.insert(command.begin(), *found);
+      command.push_back(absolute);
+      read = run_program(command, xacro_bounds);
+    }
   }
-  command.push_back(absolute);
-  ProgramOutput read = run_program(command, xacro_bounds);
   if (read.ending != ProgramOutput::Ending::succeeded || read.output.empty()) {
     refuse_output(path, program_, read);
   }
