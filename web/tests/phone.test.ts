@@ -123,7 +123,8 @@ test("on a phone waypoints are added in one place, and Play and the proof are on
     }
     let taps = 0; // one that a loaded browser has lost is made again
     const added = async (): Promise<[number, string[]]> => {
-      if ((await items.count()) < count && ++taps <= 2) await page.touchscreen.tap((add?.x ?? NaN) + 60, (add?.y ?? NaN) + 20);
+      if ((await items.count()) < count && ++taps <= 2)
+        await page.touchscreen.tap((add?.x ?? NaN) + 60, (add?.y ?? NaN) + 20);
       return [await items.count(), await page.locator(".panel .refusal:visible").allTextContents()];
     };
     await expect.poll(added, { interval: 10_000 }).toEqual([count, []]);
