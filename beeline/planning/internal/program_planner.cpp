@@ -259,8 +259,9 @@ class ProgramPlanner {
     if (goals.empty() && follow(p + 1, std::nullopt, ahead)) {
       goals.push_back(ahead->trajectory.positions.front());
     }
-    if (!free.empty() || goals.empty() || is_redundant(arm_, *options_.task)) return goals;
-    fail(i, status_of_blocked(blocked), blocked);  // at all solutions, of which a line is possible
+    const bool all_blocked = blocked && free.empty() && !is_redundant(arm_, *options_.task);
+    if (!all_blocked || goals.empty()) return goals;
+    fail(i, status_of_blocked(blocked), blocked);
     return {};
   }
 
