@@ -80,7 +80,7 @@ TEST(Xacro, PackagesAboveTheFileAreFoundWithoutPackageXml) {
     fs::create_directories(folder.file(each));
   }
   const std::string finds =
-      "$(find gripper) $(find my_arm)$(find my_arm) $(find none) $(find ../up";
+      "$(find my_arm)$(find my_arm) package://gripper/a.stl $(find none) $(find ../up";
   const std::string path = folder.write("arms/my_arm/urdf/a.xacro", macro + finds);
   const Programs programs;
   programs.add("xacrodoc", "[ \"$1 $2 $3 $4 $5\" = \"-p gripper:=" + folder.file("arms/gripper") +

@@ -57,18 +57,14 @@ std::optional<std::filesystem::path> package_folder(const std::string& name,
   return std::nullopt;
 }
 
-/// The options of xacrodoc with the folders of the packages that `$(find NAME)` names in a text.
-/// Without them, xacrodoc finds packages that have a file package.xml or that ROS knows.
-std::vector<std::string> package_options(std::string_view text, const std::string& path) {
-  constexpr std::string_view opening = "$(find ";
+/// Adds the names between `opening` and `closing` in a text that may be names of packages.
+void add_package_names(std::string_view text, std::string_view opening, char closing,
+                       std::set<std::string>& names) {
   constexpr std::size_t max_names = 100;
-  std::error_code fault;
-  const std::filesystem::path file = std::filesystem::weakly_canonical(path, fault);
-  std::set<std::string> names;
   for (std::size_t at = text.find(opening);
        at != std::string_view::npos && names.size() < max_names; at = text.find(opening, at + 1)) {
-    const std::size_t begin = at + opening.size(),
-                      end = std::min(text.find(')', begin), text.size());
+    const std::size_t begin = at + opening.size();
+    const std::size_t end = std::min(text.find(closing, begin), text.size());
     const std::string_view name = text.substr(begin, end - begin);
     const bool usable = !name.empty() && name.front() != '-' &&
                         std::all_of(name.begin(), name.end(), [](unsigned char c) {
@@ -76,6 +72,17 @@ std::vector<std::string> package_options(std::string_view text, const std::strin
                         });
     if (usable) names.emplace(name);
   }
+}
+
+/// The options of xacrodoc with the folders of the packages that a text names in `$(find NAME)` and
+/// `package://NAME/`. Without them, xacrodoc finds packages that have a file package.xml or that
+/// ROS knows.
+std::vector<std::string> package_options(std::string_view text, const std::string& path) {
+  std::error_code fault;
+  const std::filesystem::path file = std::filesystem::weakly_canonical(path, fault);
+  std::set<std::string> names;
+  add_package_names(text, "$(find ", ')', names);
+  add_package_names(text, "package://", '/', names);
   std::vector<std::string> options;
   for (const std::string& name : names) {
     const auto folder = package_folder(name, file);
