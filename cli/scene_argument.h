@@ -145,7 +145,8 @@ struct SceneArgument {
   std::string start_clause(const CheckedScene& scene, const Configuration& start,
                            std::string_view accepted) const;
 
-  /// Throws Error for --recover-clearance, because a program in the file starts within it.
+  /// Throws Error for --recover-clearance: the program in the file must keep the clearance from its
+  /// start on.
   void refuse_recovery_of_program(const std::string& file) const;
 
   /// Proves or refutes that the motion keeps its clearance.

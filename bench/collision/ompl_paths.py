@@ -3,7 +3,7 @@
 Usage: ompl_paths.py PATHS.jsonl ARM.urdf [--resolution 0.05] [--clearance 0.001] [--problems 1000]
 
 OMPL samples its motions: the configurations at every --resolution rad are tested by Beeline's model, called from Python, so
-the time inside the tests is stated apart. The table has the time outside of them too, which is OMPL's own. Each motion of the
+the time inside the tests is stated apart. The table has the time outside of them too: OMPL's own, and the calls. Each motion of the
 shortened paths is then examined by beeline.prove_clearance(), which finds what the samples have missed. Times are of the wall
 clock, one thread, milliseconds; Beeline's are bench_free_paths's: the proof of every motion is in them."""
 

@@ -103,7 +103,7 @@ def test_a_start_at_the_clearance_is_accepted_as_suggested(beeline, cell, writte
         assert beeline(*line, "--recover-clearance", "1e-09").code == 0
 
 
-def test_no_start_is_chosen_that_is_too_close(beeline, cell, written, refused):
+def test_no_start_is_chosen_that_is_too_close(beeline, cell, written):
     written("up.csv", "x,y,z\n0,0.203,0\n0,0.5,0\n")
     line = ["line", "disc.json", "--through", "up.csv", "--task", "position", *cell]
     assert "recover-clearance" not in beeline(*line).err
