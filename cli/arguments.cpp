@@ -190,7 +190,8 @@ std::vector<Option> TaskArgument::options() {
 }
 
 Task TaskArgument::read(const Arm& arm) const {
-  return for_option("--task", [&] { return text.empty() ? default_task(arm) : task_named(text); });
+  return for_option("--task",
+                    [&] { return text.empty() ? default_task(arm) : task_named(text, arm); });
 }
 
 std::vector<Option> JacobianArgument::options() {

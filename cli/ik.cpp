@@ -60,6 +60,8 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
 /// Which of the solutions that exist are given; empty if that is not known.
 std::string completeness(const Arm& arm, const InverseResult& result) {
   if (result.complete) return ", all that exist,";
+  const bool only_turns_left = result.branches_complete && result.self_motion_dimension == 0;
+  if (only_turns_left) return ", of joints without limits in the turn nearest to the seed,";
   if (!result.grid || result.solutions.size() + result.blocked.size() == 0) return {};
   return fmt::format(", all that exist at {} of {} of {},", result.grid->complete.size(),
                      counted(static_cast<std::int64_t>(result.grid->values.size()), "value"),
@@ -251,25 +253,27 @@ Answer ik(const IkArguments& arguments) {
 
 std::vector<Option> ik_options(IkArguments& arguments) {
   InverseArgument& inverse = arguments.inverse;
-  return joined({{Option("--pose POSE",
-                         "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
-                         "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
-                         "x,y,z or, for planar arms, x,y.",
-                         &arguments.pose, {.required = true})},
-                 arguments.unit.options(),
-                 {Option("--all",
-                         "Print every solution found, the nearest to the seed first; of infinitely "
-                         "many, the nearest ten, all samples with --json.",
-                         &inverse.values.all),
-                  Option("--every-turn",
-                         "Print each solution with every multiple of 2 pi of its revolute joints "
-                         "within the position limits.",
-                         &inverse.values.every_turn, {.needs = "--all"})},
-                 inverse.choice_options(),
-                 inverse.search_options(),
-                 arguments.scene.distance_options(),
-                 inverse.budget.options(),
-                 arguments.arm.options()});
+  return joined(
+      {{Option("--pose POSE",
+               "Pose of the tool in the world, or in --work: x,y,theta (planar arms), "
+               "x,y,z,roll,pitch,yaw or x,y,z,qw,qx,qy,qz; with --task position also "
+               "x,y,z or, for planar arms, x,y.",
+               &arguments.pose, {.required = true})},
+       arguments.unit.options(),
+       {Option("--all",
+               "Print every solution found, the nearest to the seed first; of infinitely "
+               "many, the nearest ten, all samples with --json.",
+               &inverse.values.all),
+        Option("--every-turn",
+               "Print each solution with every multiple of 2 pi of its revolute joints "
+               "within the position limits; of joints without limits, in the turn nearest to "
+               "the seed.",
+               &inverse.values.every_turn, {.needs = "--all"})},
+       inverse.choice_options(),
+       inverse.search_options(),
+       arguments.scene.distance_options(),
+       inverse.budget.options(),
+       arguments.arm.options()});
 }
 
 }  // namespace

@@ -7,6 +7,11 @@ cd "$(dirname "$0")/.."
 folder=$1
 requirements=$2
 
+# One at a time, as steps that run beside each other use the same one.
+if command -v flock >/dev/null; then
+  exec 9>"${TMPDIR:-/tmp}/beeline-venv-$(id -u).lock"
+  flock 9
+fi
 stamp=$folder/requirements.txt
 if [[ -x $folder/bin/python ]] && cmp --silent "$requirements" "$stamp"; then exit 0; fi
 

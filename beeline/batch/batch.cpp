@@ -274,9 +274,8 @@ BatchResult solve_columns(const Arm& arm, const ConstColumnsRef<double>& world_T
   if (seeds.cols() != 1) check_shape(arm, "seeds", seeds, arm.dof(), count);
 
   check_poses(arm, world_T_tool, inverse.task, options.layout);
+  if (inverse.all) throw Error("", "all", " is for one pose; a batch has one solution for each");
   InverseOptions one = inverse;
-  one.all = false;
-  one.every_turn = false;
   Counts counts(options.budget, count);
   one.budget = counts.budget().part();
   inverse_method(arm, one);  // checks the options

@@ -75,10 +75,9 @@ BatchResult batch_manipulability(const Arm& arm, const ConstColumnsRef<Real>& q,
 /// size(layout) x N, `q` dof x N, `seeds` dof x N, or dof x 1 for all poses. If no solution is
 /// found, the column of q is NaN, also for a pose with a value that is not finite. The default of
 /// `inverse.redundancy` is the default with a seed, the nearest solution found from it.
-/// `inverse.all` and `inverse.every_turn` are ignored; `inverse.budget` is the budget of each pose.
-/// Throws Error, which names the pose by its number from 1 on, before anything is computed, for a
-/// pose that inverse_kinematics() refuses: one that is not a rigid motion, or outside the plane of
-/// a planar arm.
+/// `inverse.budget` is the budget of each pose. Throws Error for `inverse.all`, and, naming the
+/// pose by its number from 1 on, before anything is computed, for a pose that inverse_kinematics()
+/// refuses: one that is not a rigid motion, or outside the plane of a planar arm.
 BatchResult batch_inverse(const Arm& arm, const ConstColumnsRef<double>& world_T_tool,
                           const ConstColumnsRef<double>& seeds, ColumnsRef<double> q,
                           const InverseOptions& inverse = {}, const BatchOptions& options = {});

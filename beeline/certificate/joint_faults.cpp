@@ -123,17 +123,16 @@ class FaultSearch {
 
   /// Returns how much the rounding of times to doubles may change a derivative of a coordinate that
   /// moves at `velocity`, at most a fraction of the limit. A time error dt moves the position by
-  /// velocity * dt. This matters after hours: between samples microseconds apart, jerk is then
-  /// known no better than to its limit.
+  /// velocity * dt. This matters after hours.
   double time_rounding(std::size_t k, int order, double velocity, double limit) const {
-    constexpr double factors[] = {2, 20, 300};     // max factors of the polynomials of one interval
-    constexpr double largest[] = {1e-4, 1e-4, 1};  // max fractions of the limit
+    constexpr double factors[] = {2, 20, 300};  // max factors of the polynomials of one interval
+    constexpr double largest = 1e-4;            // max fraction of the limit
     const std::size_t end = std::min(k + static_cast<std::size_t>(order), t_.size() - 1);
     double shortest = Limits::none;
     for (std::size_t j = k; j < end; ++j) shortest = std::min(shortest, t_[j + 1] - t_[j]);
     const double dt = std::numeric_limits<double>::epsilon() * std::abs(t_[end]);
     const double change = factors[order - 1] * velocity * dt / std::pow(shortest, order);
-    return std::min(change, largest[order - 1] * limit);
+    return std::min(change, largest * limit);
   }
 
   /// `known` is the joint's own limit, or infinity if `limit` is assumed.

@@ -176,6 +176,28 @@ void report(const Candidate& best, const Arm& a, ArmComparison& result) {
   }
 }
 
+/// Returns the joints that an explanation takes as the same; without one, all if the arms have
+/// equally many, else the joints with equal names.
+internal::JointPairs joint_pairs(const Arm& a, const Arm& b, const Candidate* best) {
+  const std::size_t in_a = a.joints().size(), in_b = b.joints().size();
+  internal::JointPairs pairs;
+  if (in_a == in_b) {
+    for (std::size_t i = 0; i < in_a; ++i) pairs.emplace_back(i, i);
+  } else if (best != nullptr) {
+    for (std::size_t i = 0; i < best->kept.size(); ++i) {
+      const std::size_t longer = best->kept[i];
+      in_a > in_b ? pairs.emplace_back(longer, i) : pairs.emplace_back(i, longer);
+    }
+  } else {
+    for (std::size_t i = 0; i < in_a; ++i) {
+      for (std::size_t k = 0; k < in_b; ++k) {
+        if (a.joints()[i].name == b.joints()[k].name) pairs.emplace_back(i, k);
+      }
+    }
+  }
+  return pairs;
+}
+
 }  // namespace
 
 ArmComparison compare_arms(const Arm& a, const Arm& b, const ComparisonOptions& options) {
@@ -192,16 +214,17 @@ ArmComparison compare_arms(const Arm& a, const Arm& b, const ComparisonOptions& 
   const Reconciliation as_they_are(bare_a);
   if (paired) result.before = internal::deviation(as_they_are, bare_b, options.configurations);
   const Search search = explanations(bare_a, bare_b, options.tolerance);
-  if (!search.candidates().empty()) {
-    const Candidate& best = search.candidates().front();
-    report(best, a, result);
+  const Candidate* best = search.candidates().empty() ? nullptr : &search.candidates().front();
+  if (best != nullptr) {
+    report(*best, a, result);
     mark_exchanged(result.differences, options.tolerance);
-    result.alternative = alternative_to(best, search.candidates());
+    result.alternative = alternative_to(*best, search.candidates());
   } else {
     result.gain = result.offset = Configuration::Zero(static_cast<Eigen::Index>(a.joints().size()));
     result.residual = result.before;
   }
-  result.others = internal::other_differences(a, b, result, options.tolerance);
+  result.others =
+      internal::other_differences(a, b, joint_pairs(a, b, best), result, options.tolerance);
   internal::judge(a, b, result);
   return result;
 }

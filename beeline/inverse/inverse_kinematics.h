@@ -50,7 +50,8 @@ struct InverseOptions {
   /// finds solutions in all restarts, and some may be missing. Arms of seven revolute joints
   /// without a closed form have one with a joint locked, for this option and a `grid` up to 256.
   bool all = false;
-  /// With `all`, whether to include solutions that differ by multiples of 2 pi.
+  /// With `all`, whether to include solutions that differ by multiples of 2 pi. Of a joint without
+  /// a lower or an upper limit, which has infinitely many, only the value nearest to the seed is.
   bool every_turn = false;
   bool ignore_limits = false;  ///< whether to ignore the joint limits
   /// Reason why a configuration must not be given as a solution, none if it may; usually
@@ -79,11 +80,15 @@ struct InverseOptions {
   /// posture.
   std::optional<Eigen::VectorXd> weights = std::nullopt;
   int grid = 32;  ///< number of values of the redundant joint tried first, 2 to 10000
-  /// Max error of a solution, metres and radians, above 0. It is raised to the rounding error of
-  /// forward kinematics, about 1e-14 of the arm's size, if that is larger (a reach above 1e4 m).
+  /// Max error of a solution, metres and radians, above 0 and at most 0.1. It is raised to the
+  /// rounding error of forward kinematics, about 1e-14 of the arm's size, if that is larger (a
+  /// reach above 1e4 m).
   double tolerance = 1e-10;
   int max_iterations = 100;  ///< max steps of the numerical solver from one start, 0 or more
-  int max_restarts = 1000;   ///< max random starts after the first, 0 or more
+  /// Max random starts after the first, 0 or more. Without a solution, a search for the nearest
+  /// pose follows, which neither bounds: a solution that it finds is given, and
+  /// InverseResult::restarts counts its starts.
+  int max_restarts = 1000;
   /// Seed of the random numbers; the same value gives the same result.
   std::uint64_t random_seed = 1;
   /// Budget of one call. Closed forms for one value of a redundant joint are not interrupted: they

@@ -77,6 +77,18 @@ Task task_named(std::string_view text) {
   return task;
 }
 
+Task task_named(std::string_view text, const Arm& arm) {
+  const Task task = task_named(text);
+  const std::string_view mask = text.substr(0, text.find(':'));
+  const bool planar_mask =
+      mask.find_first_not_of("01") == std::string_view::npos && mask.size() == 3;
+  if (!planar_mask || arm.planar()) return task;
+  throw Error("the mask \"" + std::string(text) + "\" of x, y and theta is for planar arms; arm " +
+              arm.name() +
+              " is not planar: write position for x, y, z, or six of 0 and 1 for x y z "
+              "wx wy wz such as 111000");
+}
+
 std::string name(const Task& task) {
   for (const auto& [known, named] : tasks_by_name) {
     if (task == named) return known;

@@ -43,6 +43,9 @@ void check_task(const Task& task);
 /// The suffix `:tool`, after a mask or one of the first three names, selects the tool's axes.
 /// Throws Error for another name and for a mask without rows. name() is the inverse.
 Task task_named(std::string_view name);
+/// The same for an arm. Throws Error for a mask of three digits, x, y, theta, if the arm is not
+/// planar.
+Task task_named(std::string_view name, const Arm& arm);
 std::string name(const Task& task);
 std::ostream& operator<<(std::ostream& out, const Task& task);  ///< prints name()
 

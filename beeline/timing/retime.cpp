@@ -145,6 +145,30 @@ void count_recovery(Retimed& timed) {
   timed.reason.set(ReasonField::count, timed.sections);
 }
 
+/// Removes the samples behind the first one that are outside the limits, in a straight line towards
+/// them: a motion that recovers already has such samples.
+void remove_recovery(const Arm& arm, Trajectory& trajectory) {
+  constexpr double rounding = 1e-9;  // radians or metres
+  std::vector<Configuration>& q = trajectory.positions;
+  const Configuration change = nearest_within_limits(arm, q.front()) - q.front();
+  double done = 0;  // part of the change
+  std::size_t end = 1;
+  for (; end < q.size(); ++end) {
+    const Configuration moved = q[end] - q.front();
+    const double part = moved.dot(change) / change.squaredNorm();
+    const bool is_straight = (moved - part * change).lpNorm<Eigen::Infinity>() <= rounding;
+    if (!is_straight || part < done || internal::largest_excess(arm, q[end]) <= 0) break;
+    done = part;
+  }
+  const auto erase = [end](auto& samples) {
+    if (!samples.empty()) samples.erase(samples.begin() + 1, samples.begin() + end);
+  };
+  erase(trajectory.times);
+  erase(trajectory.positions);
+  erase(trajectory.velocities);
+  erase(trajectory.accelerations);
+}
+
 /// The motion of a trajectory that starts outside the limits: first back to them, then along its
 /// positions. If the budget ends it, what is retimed so far begins with the recovery, too.
 Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const RetimeOptions& options,
@@ -154,6 +178,7 @@ Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const Retime
     if (section.trajectory.size() > 0) section.recovery = recovery_of(arm, section.trajectory);
     return section;
   }
+  remove_recovery(arm, trajectory);
   trajectory.positions.front() = section.trajectory.positions.back();
   Retimed timed = section;
   if (moves(trajectory)) {

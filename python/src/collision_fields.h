@@ -208,8 +208,9 @@ struct Fields<ClearanceOverTime>
 /// anything else.
 std::shared_ptr<const CollisionModel> shared_model(nb::handle value, const char* name);
 
-/// Throws Error if the option blocked_by or spare_clearance is a model of another arm.
-void check_model_of(const Arm& arm, const nb::dict& keywords);
+/// Throws Error if an option does not suit the arm: blocked_by or spare_clearance is a model of
+/// another one, or task is a mask of planar arms.
+void check_options_of(const Arm& arm, const nb::dict& keywords);
 
 /// A model that the caller keeps as long as it is used.
 template <>

@@ -69,7 +69,7 @@ std::shared_ptr<const CollisionModel> shared_model(nb::handle value, const char*
   return {shared_object(nb::borrow(value)), &nb::cast<const CollisionModel&>(value)};
 }
 
-void check_model_of(const Arm& arm, const nb::dict& keywords) {
+void check_options_of(const Arm& arm, const nb::dict& keywords) {
   for (const char* option : {"blocked_by", "spare_clearance"}) {
     if (!keywords.contains(option)) continue;
     const nb::object model = keywords[option];
@@ -78,6 +78,7 @@ void check_model_of(const Arm& arm, const nb::dict& keywords) {
       throw Error(std::string(option) + " is a model of another arm");
     }
   }
+  if (keywords.contains("task")) task_of(arm, keywords["task"]);
 }
 
 void bind_distances(nb::module_& m) {

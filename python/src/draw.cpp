@@ -173,7 +173,7 @@ void bind_charts(nb::module_& m) {
          nb::handle waypoint_times, nb::handle clearance) {
         TimingFigureOptions given;
         given.title = Value<std::string>::from(title, "title");
-        given.task = Value<std::optional<Task>>::from(task, "task");
+        if (!task.is_none()) given.task = task_of(arm, task);
         given.waypoint_times = Value<std::vector<double>>::from(waypoint_times, "waypoint_times");
         given.clearance = Value<std::optional<ClearanceOverTime>>::from(clearance, "clearance");
         const PathMotion* along = nullptr;

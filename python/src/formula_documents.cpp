@@ -30,14 +30,10 @@ struct NamedDeterminant {
 constexpr const char* task_type = "str | None";
 constexpr const char* task_rows_doc = "Its rows. Default: planar for planar arms, else spatial.";
 
-Task task_of(const NamedArm& arm, nb::handle task) {
-  return task.is_none() ? default_task(arm.arm) : Value<Task>::from(task, "task");
-}
-
 NamedDocument document_of(nb::handle value, nb::handle task, const nb::kwargs& keywords) {
   const SharedArm arm = named_arm(value, "arm");
   auto [content, style] = options<FormulaContent, FormulaStyle>(keywords);
-  content.task = task_of(*arm, task);
+  content.task = task_of(arm->arm, task);
   const LockRelease release;
   return {arm, content, style, formula_document(arm->symbolic, content, style)};
 }
@@ -132,7 +128,7 @@ void bind_code(nb::module_& m) {
          const nb::kwargs& keywords) {
         const SharedArm arm = named_arm(value, "arm");
         auto content = options<FormulaContent>(keywords);
-        content.task = task_of(*arm, task);
+        content.task = task_of(arm->arm, task);
         const auto in = Value<CodeLanguage>::from(language, "language");
         const bool with_numbers = Value<bool>::from(numbers, "numbers");
         const LockRelease release;
@@ -149,7 +145,7 @@ WrittenSection determinant_section(const NamedArm& arm, const Task& task, bool l
 
 NamedDeterminant determinant_of(nb::handle value, nb::handle rows) {
   const SharedArm arm = named_arm(value, "arm");
-  const Task task = task_of(*arm, rows);
+  const Task task = task_of(arm->arm, rows);
   const LockRelease release;
   return {arm, task, determinant_formula(arm->symbolic, task),
           determinant_section(*arm, task, false), determinant_section(*arm, task, true)};

@@ -17,7 +17,7 @@ namespace {
 /// The options. Throws Error for a model of another arm.
 InverseOptions inverse_options(const Arm& arm, const nb::dict& keywords) {
   if (keywords.empty()) return {};
-  check_model_of(arm, keywords);
+  check_options_of(arm, keywords);
   return options<InverseOptions>(nb::borrow<nb::kwargs>(keywords));
 }
 

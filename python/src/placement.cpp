@@ -106,7 +106,7 @@ void bind_placements(nb::module_& m) {
       [](const ReachMap& map, nb::handle poses, const nb::kwargs& keywords) {
         const std::vector<Pose> reached = PosePlane(map.arm()).poses(poses, "poses");
         auto asked = options<PlacementOptions>(keywords);
-        check_model_of(map.arm(), keywords);
+        check_options_of(map.arm(), keywords);
         check_threads(asked.threads);
         return unlocked(asked.budget, [&] { return find_placements(map, reached, asked); });
       },

@@ -58,7 +58,7 @@ void bind_moves(nb::module_& m) {
       m,
       [](const Arm& arm, nb::handle start, const Route& route, const nb::kwargs& keywords) {
         const auto begin = Start::from(start, "start");
-        check_model_of(arm, keywords);
+        check_options_of(arm, keywords);
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget, [&] { return move_along(arm, begin, route, asked); });
       },
@@ -79,7 +79,7 @@ void bind_moves(nb::module_& m) {
       [](const Arm& arm, nb::handle start, nb::handle waypoints, const nb::kwargs& keywords) {
         const auto begin = Start::from(start, "start");
         const std::vector<Pose> poses = PosePlane(arm).poses(waypoints, "waypoints");
-        check_model_of(arm, keywords);
+        check_options_of(arm, keywords);
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget, [&] {
           return begin ? move_in_lines(arm, *begin, poses, asked)
@@ -102,7 +102,7 @@ void bind_branches(nb::module_& m) {
   define(
       m,
       [](const Arm& arm, nb::handle start, const ToolPath& path, const nb::kwargs& keywords) {
-        check_model_of(arm, keywords);
+        check_options_of(arm, keywords);
         const auto begin = Start::from(start, "start");
         BranchOptions asked = branch_options(arm, keywords);
         return unlocked(asked.budget, [&] { return plan_path(arm, begin, path, asked); });
@@ -114,7 +114,7 @@ void bind_branches(nb::module_& m) {
   define(
       m,
       [](const Arm& arm, const ToolPath& path, const nb::kwargs& keywords) {
-        check_model_of(arm, keywords);
+        check_options_of(arm, keywords);
         BranchOptions asked = branch_options(arm, keywords);
         return Value<std::vector<Branch>>::to(
             unlocked(asked.budget, [&] { return branch_map(arm, path, asked); }));
@@ -131,7 +131,7 @@ void bind_branches(nb::module_& m) {
       m,
       [](const Arm& arm, nb::handle start, const ToolPath& path, nb::handle rotate,
          const nb::kwargs& keywords) {
-        check_model_of(arm, keywords);
+        check_options_of(arm, keywords);
         const auto begin = Start::from(start, "start");
         const bool rotated = Value<bool>::from(rotate, "rotate");
         BranchOptions asked = branch_options(arm, keywords);

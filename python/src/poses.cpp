@@ -270,8 +270,8 @@ void bind_motions(nb::module_& m) {
 
 void bind_poses(nb::module_& m) {
   m.def("_matrix_of", &matrix_of, nb::arg().none());  // for poses.py
-  bind_record<RollPitchYaw>(m);
-  bind_record<Quaternion>(m);
+  bind_numbers(bind_record<RollPitchYaw>(m));
+  bind_numbers(bind_record<Quaternion>(m));
   bind_angles(m);
   bind_orientations(m);
   bind_rotations(m);

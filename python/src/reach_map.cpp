@@ -229,7 +229,7 @@ void bind_making(nb::module_& m, nb::class_<ReachMap>& map) {
 }  // namespace
 
 std::optional<ReachScene> scene_of(const Arm& arm, const nb::kwargs& keywords) {
-  check_model_of(arm, keywords);
+  check_options_of(arm, keywords);
   if (!keywords.contains("blocked_by")) return std::nullopt;
   const CollisionModel* model = nullptr;
   if (!nb::try_cast<const CollisionModel*>(keywords["blocked_by"], model) || !model) {

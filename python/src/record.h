@@ -144,6 +144,11 @@ void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
         [member, name](nb::handle_t<T> self) -> nb::object {
           if (!nb::inst_ready(self)) throw nb::type_error("the object was not initialised");
           const T* value = &completed(*nb::inst_ptr<T>(self), name);
+          if constexpr (
+              requires(T & left) { Fields<T>::complete(left); } &&
+              requires(const M& list) { list.empty(); }) {
+            if ((value->*member).empty()) return Value<M>::to(value->*member);  // may be filled yet
+          }
           return kept(self, name, [&] { return Value<M>::to(value->*member); });
         },
         sig, member_doc(field));
@@ -253,6 +258,25 @@ void bind_state(nb::class_<T>& bound) {
   bound.def(
       "__setstate__", [](T& self, const nb::tuple& state) { new (&self) T(restored<T>(state)); },
       nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
+}
+
+/// Adds what makes a struct of numbers a sequence of them, for tuple() and for numpy.
+template <class T>
+void bind_numbers(nb::class_<T> bound) {
+  bound.def(
+      "__iter__", [](const T& self) { return nb::iter(state_of(self)); },
+      nb::sig("def __iter__(self) -> typing.Iterator[float]"));
+  bound.def(
+      "__array__",
+      [](const T& self, nb::handle dtype, nb::handle) {
+        return nb::module_::import_("numpy").attr("array")(
+            state_of(self), dtype.is_none() ? nb::object(nb::str("float64")) : nb::borrow(dtype));
+      },
+      nb::arg("dtype") = nb::none(), nb::arg("copy") = nb::none(),
+      nb::sig(
+          (std::string("def __array__(self, dtype: object = None, copy: bool | None = None) -> ") +
+           array_type)
+              .c_str()));
 }
 
 /// `extra`: further annotations of the class, such as nb::pooled.

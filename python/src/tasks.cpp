@@ -11,15 +11,12 @@ constexpr const char* task_doc =
     "110; with :tool in the tool's axes.";
 const std::string optional_task_doc = std::string("Default: default_task(). ") + task_doc;
 
-Task task_from(const Arm& arm, nb::handle task) {
-  return task.is_none() ? default_task(arm) : Value<Task>::from(task, "task");
-}
 constexpr const char* matrix_doc = "Rows of a Jacobian, at most six, (m, n).";
 
 nb::object scaled_jacobian(const Arm& arm, nb::handle q, nb::handle task_name, nb::handle unit,
                            nb::handle out) {
   const Configurations configurations(arm, q);
-  const Task task = task_from(arm, task_name);
+  const Task task = task_of(arm, task_name);
   const double length_unit = Value<double>::from(unit, "length_unit");
   return for_rows(configurations, {task.size(), arm.dof()}, out, [&](Index i, double* result) {
     Eigen::Map<Eigen::MatrixXd> columns(result, task.size(), arm.dof());
@@ -64,8 +61,7 @@ void bind_measures(nb::module_& m) {
   define(
       m,
       [](const Arm& arm, nb::handle q, nb::handle task) {
-        return manipulability_gradient(arm, Value<Configuration>::from(q, "q"),
-                                       task_from(arm, task));
+        return manipulability_gradient(arm, Value<Configuration>::from(q, "q"), task_of(arm, task));
       },
       gradient, nb::arg("arm"), nb::arg("q"), nb::arg("task") = nb::none());
 }

@@ -203,6 +203,12 @@ struct Value<Task> {
   static bool same(const Task& a, const Task& b) { return a == b; }
 };
 
+/// The arm's task of that name, or its default for None.
+inline Task task_of(const Arm& arm, nb::handle task) {
+  return task.is_none() ? default_task(arm)
+                        : task_named(Value<std::string>::from(task, "task"), arm);
+}
+
 template <>
 struct Value<std::vector<double>> {
   static constexpr bool large = true;

@@ -165,6 +165,29 @@ TEST(Verify, TellsHaste) {
   }
 }
 
+// Times of days have few digits for samples a tenth of a millisecond apart.
+TEST(Verify, TellsHasteAtAnyTime) {
+  const Arm arm = built_in("panda");
+  const double jerk = arm.limits(0).jerk;
+  for (const double start : {0.0, 1e5, 1e6}) {
+    for (const auto& [fraction, fault] :
+         {std::pair(0.99, Fault::none), {1.02, Fault::jerk}, {1.9, Fault::jerk}}) {
+      Trajectory motion{arm.joint_names(), {}, {}, {}, {}};
+      for (int k = 0; k <= 10; ++k) {
+        const double t = 1e-4 * k, j = fraction * jerk;
+        Configuration q = middle_configuration(arm), v = 0 * q, a = 0 * q;
+        q[0] += j * t * t * t / 6, v[0] = j * t * t / 2, a[0] = j * t;
+        motion.times.push_back(start + t);
+        motion.positions.push_back(q);
+        motion.velocities.push_back(v);
+        motion.accelerations.push_back(a);
+      }
+      const Verification found = verify(arm, motion, {.moving = {true, true}});
+      EXPECT_EQ(found.fault, fault) << start << ' ' << fraction << ' ' << found.reason;
+    }
+  }
+}
+
 TEST(Verify, RefusesWhatIsNoTrajectory) {
   Made motion = made("ur5");
   Trajectory& trajectory = motion.trajectory;

@@ -5,7 +5,7 @@
 #include <beeline/model/catalog.h>
 #include <beeline/pose/se3.h>
 
-#include <tests/doctor/random_table.h>
+#include <tests/random_table.h>
 #include <tests/refusal.h>
 #include <tests/typical_arms.h>
 
@@ -165,6 +165,37 @@ TEST(Comparison, ADimensionIsLocatedByTheAxes) {
     EXPECT_NEAR(std::abs(*found.a - *found.b),
                 std::abs(rows[joint].a - wrong[joint].a) + std::abs(rows[joint].d - wrong[joint].d),
                 1e-9);
+  }
+}
+
+/// The joints that both arms have keep their limits, in either order of the arms.
+TEST(Comparison, LimitsAreComparedWhereAJointIsMissing) {
+  testing::Random random;
+  for (int trial = 0; trial < testing::cases(60); ++trial) {
+    const int joints = random.integer(4, 7);
+    const std::vector<DhRow> rows = random_rows(random, joints);
+    std::vector<Joint> all = arm_of_rows(rows, DhConvention::standard).joints();
+    for (Joint& joint : all) {
+      joint.limits.lower = random.uniform(-3, -1);
+      joint.limits.upper = random.uniform(1, 3);
+      joint.limits.velocity = random.uniform(1, 3);
+    }
+    const int missing = random.integer(0, joints - 1), place = random.integer(0, joints - 2);
+    const int wrong = place < missing ? place : place + 1;
+    std::vector<Joint> rest = all;
+    rest.erase(rest.begin() + missing);
+    rest[place].limits.velocity *= 1.25;
+    const Arm longer("longer", all, Pose::Identity()), shorter("shorter", rest, Pose::Identity());
+    for (const bool from_a : {true, false}) {
+      const ArmComparison comparison =
+          from_a ? compare_arms(longer, shorter) : compare_arms(shorter, longer);
+      ASSERT_TRUE(comparison.explained) << "trial " << trial << ' ' << described(comparison);
+      ASSERT_EQ(comparison.others.size(), 1u) << "trial " << trial << ' ' << described(comparison);
+      const ModelDifference& found = comparison.others.front();
+      EXPECT_EQ(found.parameter, "velocity limit");
+      EXPECT_EQ(found.joint, from_a ? wrong : place) << "trial " << trial;
+      EXPECT_NEAR(*found.b / *found.a, from_a ? 1.25 : 0.8, 1e-12);
+    }
   }
 }
 

@@ -3,8 +3,9 @@
 #include <beeline/doctor/diagnosis.h>
 #include <beeline/model/catalog.h>
 
-#include <tests/doctor/random_table.h>
 #include <tests/io/text/urdf_samples.h>
+#include <tests/random_table.h>
+#include <tests/refusal.h>
 #include <tests/temporary_folder.h>
 
 namespace beeline {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 
 #include <tests/inverse/answer.h>
 #include <tests/random_arm.h>
+#include <tests/random_table.h>
 
 // Each of these had a wrong result once.
 
@@ -140,6 +142,91 @@ TEST(HardQuestions, HelicalJointsWithoutLimitsRotateByManyTurns) {
     const Pose pose = forward_kinematics(arm, q);
     expect_solved(arm, pose, Task::spatial(), inverse_kinematics(arm, pose));
   }
+}
+
+// A joint that stands still in self-motions has the value that the pose determines: no value of a
+// grid solves.
+TEST(HardQuestions, SevenJointsWhoseEndsStandStillInSelfMotions) {
+  testing::Random random;
+  constexpr double right = pi / 2;
+  const std::vector<DhRow> ur{
+      {.alpha = right, .d = 0.3},  {.a = 0.4}, {.a = 0.35}, {.alpha = right, .d = 0.1},
+      {.alpha = -right, .d = 0.1}, {.d = 0.08}};
+  std::vector<DhRow> parallel = ur, turntable = ur;
+  parallel.insert(parallel.begin() + 3, {.a = 0.3});
+  turntable.insert(turntable.begin(), {.d = 0.2});
+  for (const std::vector<DhRow>& rows : {parallel, turntable}) {
+    const Arm arm = testing::arm_of_rows(rows, DhConvention::standard);
+    for (const bool limited : {false, true}) {
+      const int count = testing::cases(40);
+      for (int i = 0; i < count; ++i) {
+        Configuration q(7);
+        for (double& value : q) value = random.uniform(-2, 2);
+        const Arm asked =
+            limited ? narrowed(arm, Configuration::Zero(7), random.uniform(2.1, 3)) : arm;
+        const Pose pose = forward_kinematics(arm, q);
+        expect_solved(asked, pose, Task::spatial(), inverse_kinematics(asked, pose));
+        Eigen::MatrixXd column(7, 1);
+        EXPECT_EQ(inverse_kinematics(asked, pose, Configuration::Zero(7), column), 1);
+      }
+    }
+  }
+}
+
+TEST(HardQuestions, NoPoseOfAnArmOfRightAnglesIsCalledUnreachable) {
+  testing::Random random;
+  int solved = 0;
+  const int count = testing::cases(150);
+  for (int i = 0; i < count; ++i) {
+    std::vector<DhRow> rows = testing::random_rows(random, 7, random.integer(0, 1) == 0);
+    for (DhRow& row : rows) {
+      if (random.integer(0, 1) == 0) row.a = 0;
+      if (random.integer(0, 1) == 0) row.alpha = random.integer(-1, 1) * pi / 2;
+    }
+    const Arm arm = testing::arm_of_rows(rows, DhConvention::standard);
+    Configuration q(7);
+    for (double& value : q) value = random.uniform(-2, 2);
+    const InverseResult result = testing::explained_inverse(arm, forward_kinematics(arm, q));
+    EXPECT_TRUE(result || result.status == InverseStatus::not_found)
+        << "case " << i << ": " << result.reason;
+    solved += result ? 1 : 0;
+  }
+  EXPECT_GE(solved, count * 95 / 100);
+}
+
+// Rounding may put the equivalent of a value at its limit beyond the limit by the last digit.
+TEST(HardQuestions, AValueAtALimitOfWholeTurnsIsNotMovedByATurn) {
+  testing::Random random;
+  const Arm arm = built_in("ur5");
+  for (int i = 0; i < testing::cases(200); ++i) {
+    Configuration q = random.configuration(arm);
+    const int k = random.integer(0, 5);
+    const bool upper = random.integer(0, 1) == 0;
+    q[k] = upper ? arm.limits(k).upper : arm.limits(k).lower;
+    Configuration seed = q;
+    seed[k] += upper ? -0.01 : 0.01;
+    const InverseResult result =
+        inverse_kinematics(arm, forward_kinematics(arm, q), {.seed = seed, .all = true});
+    const bool found = std::any_of(
+        result.solutions.begin(), result.solutions.end(),
+        [&](const Configuration& other) { return (other - q).lpNorm<Eigen::Infinity>() < 1e-5; });
+    EXPECT_TRUE(found || !result.complete) << "case " << i << ": " << q.transpose();
+  }
+}
+
+TEST(HardQuestions, EndlessTurnsAreNotComplete) {
+  std::vector<Joint> joints;
+  for (int i = 0; i < 2; ++i) {
+    joints.push_back(
+        testing::named(dh_joint({.a = 1}, DhConvention::standard), "j" + std::to_string(i), -7, 7));
+  }
+  const Pose pose = make_pose({1.2, 0.3, 0});
+  const InverseOptions options{.task = Task::position(), .all = true, .every_turn = true};
+  EXPECT_TRUE(inverse_kinematics(Arm("limited", joints), pose, options).complete);
+  joints[0].limits.upper = Limits::none;
+  const InverseResult result = inverse_kinematics(Arm("endless", joints), pose, options);
+  EXPECT_FALSE(result.complete);
+  EXPECT_TRUE(result.branches_complete);
 }
 
 }  // namespace

@@ -98,6 +98,10 @@ TEST(RecoveryOfJointPaths, LeadsBackAndThenThroughTheWaypoints) {
       expect_others_still(arm, motion.trajectory, *motion.recovery);
       EXPECT_EQ(motion.trajectory.positions.back(), waypoints.back());
       EXPECT_EQ(motion.blends, (std::vector<double>{0, 0}));
+      const Retimed again = retime(arm, motion.trajectory, {.recover = 0.1});
+      ASSERT_TRUE(again) << name << ": " << again.reason;
+      expect_recovery(arm, start, again.trajectory, again.recovery);
+      EXPECT_EQ(again.trajectory.positions.back(), waypoints.back());
       options.recover = largest_excess(arm, start) / 2;
       EXPECT_FALSE(move_through(arm, waypoints, options));
     }
@@ -147,6 +151,9 @@ TEST(RecoveryOfLines, LeadsBackToTheBeginningOfThePath) {
       const Verification proved = verify(arm, motion.trajectory, {to}, {.recover = 0.1});
       EXPECT_TRUE(proved) << proved.reason;
       EXPECT_FALSE(verify(arm, motion.trajectory, {to}));
+      const Retimed again = retime(arm, motion.trajectory, {.recover = 0.1});
+      ASSERT_TRUE(again) << name << ": " << again.reason;
+      expect_recovery(arm, start, again.trajectory, again.recovery);
       // With another sample the path is left, not before the recovery has ended.
       Trajectory off = motion.trajectory;
       off.positions.back()[arm.dof() - 2] += 0.01;

@@ -1,9 +1,9 @@
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <beeline/collision/internal/simplex.h>
+#include <beeline/math/decompositions.h>
 
 namespace beeline::internal {
 

@@ -61,9 +61,10 @@ std::string limit_relation(double a, double b, bool equal_numbers) {
   return "";
 }
 
-void add_limits(const Arm& a, const Arm& b, std::size_t i, double gain, double offset,
-                std::vector<ModelDifference>& found) {
-  const Joint &joint = a.joints()[i], &other = b.joints()[i];
+void add_limits(const Arm& a, const Arm& b, std::pair<std::size_t, std::size_t> pair, double gain,
+                double offset, std::vector<ModelDifference>& found) {
+  const auto [i, k] = pair;
+  const Joint &joint = a.joints()[i], &other = b.joints()[k];
   const Limits in_a = joint.limits, in_b = in_coordinates_of_a(other.limits, gain, offset);
   const bool equal_numbers = (gain != 1 || offset != 0) &&
                              same_limit(in_a.lower, other.limits.lower) &&
@@ -98,9 +99,9 @@ void add_names(const Arm& a, const Arm& b, std::vector<ModelDifference>& found) 
   std::vector<std::string> names_a, names_b;
   for (const Joint& joint : a.joints()) names_a.push_back(joint.name);
   for (const Joint& joint : b.joints()) names_b.push_back(joint.name);
-  if (names_a == names_b || !std::is_permutation(names_a.begin(), names_a.end(), names_b.begin())) {
-    return;
-  }
+  const bool same_names =
+      std::is_permutation(names_a.begin(), names_a.end(), names_b.begin(), names_b.end());
+  if (names_a == names_b || !same_names) return;
   const auto [left, right] = std::mismatch(names_a.begin(), names_a.end(), names_b.begin());
   found.push_back(
       {.kind = DifferenceKind::name,
@@ -114,32 +115,38 @@ std::string mimic_text(const std::optional<Mimic>& mimic) {
   return number(mimic->multiplier) + " x " + mimic->leader + " + " + number(mimic->offset);
 }
 
+/// Returns the index in A of B's joint of that name.
+std::optional<std::size_t> index_in_a(const std::string& name, const Arm& b,
+                                      const JointPairs& pairs) {
+  for (const auto& [i, k] : pairs) {
+    if (b.joints()[k].name == name) return i;
+  }
+  return std::nullopt;
+}
+
 /// Compares the value of a mimic joint of B, as a function of A's coordinates, with its value in A.
-void add_mimic(const Arm& a, const Arm& b, std::size_t i, const ArmComparison& comparison,
+void add_mimic(const Arm& a, const Arm& b, const JointPairs& pairs,
+               std::pair<std::size_t, std::size_t> pair, const ArmComparison& comparison,
                double tolerance, std::vector<ModelDifference>& found) {
-  const Joint &joint = a.joints()[i], &other = b.joints()[i];
+  const Joint &joint = a.joints()[pair.first], &other = b.joints()[pair.second];
   if (!joint.mimic && !other.mimic) return;
-  const auto index_of = [&b](const std::string& name) {
-    std::size_t k = 0;
-    while (b.joints()[k].name != name) ++k;  // an arm has the leaders of its joints
-    return k;
-  };
-  bool same = joint.mimic.has_value() && other.mimic.has_value();
-  if (same) {
-    const std::size_t leader = index_of(other.mimic->leader);
-    const auto k = static_cast<Eigen::Index>(i), l = static_cast<Eigen::Index>(leader);
-    const double gain = comparison.gain[k] == 0 ? 1 : comparison.gain[k];
+  bool same = false;
+  const auto leader =
+      joint.mimic && other.mimic ? index_in_a(other.mimic->leader, b, pairs) : std::nullopt;
+  if (leader) {
+    const auto i = static_cast<Eigen::Index>(pair.first), l = static_cast<Eigen::Index>(*leader);
+    const double gain = comparison.gain[i] == 0 ? 1 : comparison.gain[i];
     const double multiplier = other.mimic->multiplier * comparison.gain[l] / gain;
     const double offset = (other.mimic->multiplier * comparison.offset[l] + other.mimic->offset -
-                           comparison.offset[k]) /
+                           comparison.offset[i]) /
                           gain;
-    same = a.joints()[leader].name == joint.mimic->leader &&
+    same = a.joints()[*leader].name == joint.mimic->leader &&
            std::abs(multiplier - joint.mimic->multiplier) <= tolerance &&
            std::abs(offset - joint.mimic->offset) <= tolerance;
   }
   if (same) return;
   found.push_back({.kind = DifferenceKind::mimic,
-                   .joint = static_cast<int>(i),
+                   .joint = static_cast<int>(pair.first),
                    .parameter = "mimic",
                    .what = "follows " + mimic_text(joint.mimic) + " in A, " +
                            mimic_text(other.mimic) + " in B"});
@@ -147,10 +154,10 @@ void add_mimic(const Arm& a, const Arm& b, std::size_t i, const ArmComparison& c
 
 }  // namespace
 
-std::vector<ModelDifference> other_differences(const Arm& a, const Arm& b,
+std::vector<ModelDifference> other_differences(const Arm& a, const Arm& b, const JointPairs& pairs,
                                                const ArmComparison& comparison, double tolerance) {
   std::vector<ModelDifference> found;
-  if (a.joints().size() != b.joints().size()) return found;
+  if (pairs.empty()) return found;
   const bool none_in_a = without_position_limits(a), none_in_b = without_position_limits(b);
   if (none_in_a != none_in_b) {
     found.push_back(
@@ -158,12 +165,12 @@ std::vector<ModelDifference> other_differences(const Arm& a, const Arm& b,
          .parameter = "position limits",
          .what = std::string("no joint has position limits in ") + (none_in_a ? "A" : "B")});
   }
-  for (std::size_t i = 0; i < a.joints().size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    add_mimic(a, b, i, comparison, tolerance, found);
-    if (kind(a.joints()[i]) != kind(b.joints()[i])) continue;
+  for (const auto& pair : pairs) {
+    const auto i = static_cast<Eigen::Index>(pair.first);
+    add_mimic(a, b, pairs, pair, comparison, tolerance, found);
+    if (kind(a.joints()[pair.first]) != kind(b.joints()[pair.second])) continue;
     if (none_in_a == none_in_b) {
-      add_limits(a, b, i, comparison.gain[k], comparison.offset[k], found);
+      add_limits(a, b, pair, comparison.gain[i], comparison.offset[i], found);
     }
   }
   add_names(a, b, found);

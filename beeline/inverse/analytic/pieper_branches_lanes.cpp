@@ -186,7 +186,7 @@ HWY_INLINE void to_coordinates(const PieperLoop& loop, const PieperRequest& requ
           max(min(round((seed - q) * Lanes(1 / internal::revolution)), highest), lowest);
       q = fma(revolutions, Lanes(internal::revolution), q);
       const Lanes below = q - Lanes(internal::revolution);
-      q = choose((q > upper) & (lower - below < q - upper), below, q);
+      q = choose((q > upper + Lanes(rounding)) & (lower - below < q - upper), below, q);
     }
     const Lanes on_limit = min(max(q, lower), upper);
     const LaneMask inside = abs(on_limit - q) <= Lanes(rounding);

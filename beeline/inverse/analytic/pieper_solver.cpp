@@ -3,6 +3,9 @@
 #include <vector>
 
 #include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/inverse/numerical/seed_table.h>
+#include <beeline/kinematics/jacobian.h>
+#include <beeline/math/decompositions.h>
 
 namespace beeline::internal {
 namespace {
@@ -116,6 +119,23 @@ bool rotates_about(const Chain& chain, const Vector3& axis) {
          distance <= special * size_of(axes_of(chain), chain.tool);
 }
 
+/// Whether coordinate k of seven moves in self-motions. One that does not has the values that the
+/// pose determines, and no solutions at others.
+bool moves_in_self_motion(const Arm& arm, int k) {
+  constexpr int trials = 3;
+  constexpr double rounding = 1e-9;  // of singular values, relative, and of unit vectors
+  Splitmix random(1);
+  Configuration q(7);
+  for (int trial = 0; trial < trials; ++trial) {
+    for (double& value : q) value = 2 * random.next() - 1;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(arm, q), Eigen::ComputeFullV);
+    const auto& sigma = svd.singularValues();
+    const auto rank = (sigma.array() > rounding * sigma[0]).count();
+    if (svd.matrixV().row(k).tail(7 - rank).norm() > rounding) return true;
+  }
+  return false;
+}
+
 /// A rotation without special directions.
 Pose sample_goal() { return Pose(Eigen::AngleAxisd(1.1, Vector3(0.3, -0.5, 0.8).normalized())); }
 
@@ -191,7 +211,8 @@ std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task)
   PieperSolver solver;
   solver.dof_ = arm.dof();
   if (arm.dof() == 7 && task.size() == 6) {
-    if (solver.lock_last(chain) || solver.lock_first(chain)) return solver;
+    if (moves_in_self_motion(arm, 6) && solver.lock_last(chain)) return solver;
+    if (moves_in_self_motion(arm, 0) && solver.lock_first(chain)) return solver;
     return std::nullopt;
   }
   if (const auto axis = undetermined_axis(task); axis && arm.dof() == 5) {

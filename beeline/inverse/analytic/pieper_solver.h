@@ -11,7 +11,8 @@
 namespace beeline::internal {
 
 /// Analytic inverse kinematics of an arm and a task by a PieperLoop, which has six joints:
-/// - an arm of seven joints has its first or its last joint locked at a given value;
+/// - an arm of seven joints has its last or its first joint locked at a given value, one that moves
+///   in self-motions;
 /// - an arm of four or five joints gets virtual revolute joints at the tool. A spatial task needs
 ///   them at zero; a task that leaves one rotation of five joints undetermined, about an axis of
 ///   the tool or of the world (`direction`, `approach:xy`), leaves it free;

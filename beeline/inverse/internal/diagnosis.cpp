@@ -182,13 +182,19 @@ bool solve_without_limits(const SolverState& limited, const Request& request, St
 /// orientation. If the search finds a solution, completes the result and returns nothing.
 std::optional<Configuration> nearest_configuration(SolverState& state, const Request& request,
                                                    StageResult& found) {
+  const auto is_accepted = [&](const Configuration& q) {
+    if (!accept_if_solution(request, q, found)) return false;
+    found.result.iterations += state.search().iterations;
+    found.result.restarts += state.search().restarts;
+    return true;
+  };
   Configuration q = nearest_for(request, request.task, state, request.seed);
-  if (accept_if_solution(request, q, found)) return std::nullopt;
+  if (is_accepted(q)) return std::nullopt;
   const Task position = position_part(request.task);
   if (position.size() == 0 || position.size() == request.task.size()) return q;
   q = nearest_for(request, position, state, q);
   q = nearest_orientation_of_many(request, position, state, q);
-  if (accept_if_solution(request, q, found)) return std::nullopt;
+  if (is_accepted(q)) return std::nullopt;
   return q;
 }
 

@@ -51,13 +51,15 @@ std::optional<double> recovered_error(const PieperSolver& kept, const Arm& arm, 
   return error.value_or(Limits::none);
 }
 
-/// Whether an arm of six joints can move with the tool at rest from every configuration, such as a
-/// shoulder-elbow-wrist arm with its elbow locked. Its poses have no solution or infinitely many.
-bool moves_with_tool_at_rest(const Arm& arm) {
-  if (arm.dof() != 6) return false;
-  constexpr double rounding = 1e-12;
+/// Whether an arm of six or more joints is singular at every configuration, such as a
+/// shoulder-elbow-wrist arm of six joints with its elbow locked. Its poses have no solution, or
+/// more than the closed form counts.
+bool is_singular_everywhere(const Arm& arm) {
+  if (arm.dof() < 6) return false;
+  // Next to it, rounding hides solutions from the values of a locked joint.
+  const double rounding = arm.dof() == 6 ? 1e-12 : 1e-6;
   Splitmix random(1);
-  Configuration q(6);
+  Configuration q(arm.dof());
   for (int trial = 0; trial < 3; ++trial) {
     for (double& value : q) value = 2 * random.next() - 1;
     const SixRowSvd svd = six_row_svd(jacobian(arm, q));
@@ -363,7 +365,7 @@ void solve_pieper(SolverState& state, const Request& request, StageResult& found
 
 PieperForm PieperForm::make(const Arm& arm, const Task& task) {
   PieperForm form;
-  if (!moves_with_tool_at_rest(arm)) form.solver = PieperSolver::make(arm, task);
+  if (!is_singular_everywhere(arm)) form.solver = PieperSolver::make(arm, task);
   if (!form.solver) return form;
   const std::optional<double> error = recovered_error(*form.solver, arm, task);
   form.verified = error.has_value();

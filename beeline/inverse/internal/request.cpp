@@ -64,8 +64,10 @@ void check_pose_tolerance(const Arm& arm, const Eigen::VectorXd& tolerance) {
 
 const InverseOptions& checked_options(const Arm& arm, const InverseOptions& options) {
   if (options.task) check_task(*options.task);
-  if (!(options.tolerance > 0) || !std::isfinite(options.tolerance)) {
-    throw Error("tolerance is " + number(options.tolerance) + "; it must be above zero");
+  constexpr double largest = 0.1;  // metres and radians; a larger error is another pose
+  if (!(options.tolerance > 0) || !(options.tolerance <= largest)) {
+    throw Error("tolerance is " + number(options.tolerance) + "; it must be above 0 and at most " +
+                number(largest) + "; pose_tolerance accepts larger deviations");
   }
   check_count("max_iterations", options.max_iterations, 0);
   check_count("max_restarts", options.max_restarts, 0);

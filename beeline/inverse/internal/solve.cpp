@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <beeline/inverse/internal/joint_lock.h>
@@ -9,6 +10,7 @@
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/math/decompositions.h>
+#include <beeline/model/internal/periodic_coordinate.h>
 
 namespace beeline::internal {
 namespace {
@@ -103,6 +105,18 @@ void set_incomplete(const Request& request, bool optimised, InverseResult& resul
   if (request.options.all) result.reason.set(ReasonField::count, result.solutions.size());
 }
 
+/// Whether each solution has infinitely many equivalents, of which all were requested and one of
+/// each is given: a joint without a limit has one in every turn.
+bool has_endless_turns(const Request& request) {
+  if (!request.options.every_turn) return false;
+  for (int k = 0; k < request.arm.dof(); ++k) {
+    const bool limited =
+        std::isfinite(request.bounds.lower[k]) && std::isfinite(request.bounds.upper[k]);
+    if (is_periodic(request.arm, k) && !limited) return true;
+  }
+  return false;
+}
+
 /// Completes a result that has solutions.
 void complete(const Request& request, StageResult& found) {
   InverseResult& result = found.result;
@@ -114,7 +128,8 @@ void complete(const Request& request, StageResult& found) {
           return !solution.regular && has_self_motion(request, solution.q);
         });
   }
-  result.complete = all && evidence.complete && !result.singular;
+  const bool finitely_many = !result.singular && !has_endless_turns(request);
+  result.complete = all && evidence.complete && finitely_many;
   result.branches_complete =
       all && evidence.branches_complete && (evidence.continuum || !result.singular);
   set_solved(request, found);

@@ -161,7 +161,8 @@ struct ArmShapes {
 ///   - package://NAME/PATH: in the folder that `options.package` gives for NAME or, if it has none,
 ///     in folders of the environment variables ROS_PACKAGE_PATH that are called NAME or contain
 ///     NAME, in share/NAME of the folders of AMENT_PREFIX_PATH, and in the folders above the file
-///     that are called NAME or contain NAME; model://NAME/PATH likewise
+///     that are called NAME or contain NAME; if none of these exists, in a folder whose package.xml
+///     has the name NAME: above the file, or beside its package. model://NAME/PATH likewise
 ///   - file://PATH, and PATH relative to the folder of the file.
 ///
 /// Throws FileError for a mesh that is not found, not read or malformed, any other shape that is

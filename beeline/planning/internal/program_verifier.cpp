@@ -3,14 +3,11 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/planning/internal/attachments.h>
 #include <beeline/planning/internal/program_verifier.h>
-#include <beeline/trajectory/internal/append.h>
-#include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
 namespace {
 
-constexpr double dwell_rounding = 2e-9;      // seconds
-constexpr double speed_rounding = 1 + 1e-6;  // of a limit of the tool's speed
+constexpr double dwell_rounding = 2e-9;  // seconds
 
 }  // namespace
 
@@ -138,54 +135,6 @@ bool ProgramVerifier::check_rest(std::size_t move) {
     return fail(Fault::not_through, k, {ReasonCode::leaves_last_waypoint});
   }
   return true;
-}
-
-/// The first interval between two samples in which the tool's speed may exceed a limit. Which
-/// intervals are within one is remembered, as several passages ask. None if the budget ends.
-std::optional<std::size_t> ProgramVerifier::fast_interval(std::size_t from, std::size_t to,
-                                                          const std::optional<double>& limit) {
-  if (!limit) return std::nullopt;
-  const double largest = *limit * speed_rounding;
-  for (std::size_t k = from; k < to; ++k) {
-    if (speed_bounds_[k] <= largest) continue;
-    if (budget_.ended()) return std::nullopt;
-    const double bound =
-        tool_speed_bounds(arm_, samples_between(trajectory_, k, k + 1), {largest}).front();
-    if (bound > largest) return k;
-    speed_bounds_[k] = largest;
-  }
-  return std::nullopt;
-}
-
-bool ProgramVerifier::check_speed(std::size_t move, std::size_t from, std::size_t to,
-                                  const std::optional<double>& limit) {
-  const std::optional<std::size_t> fast = fast_interval(from, to, limit);
-  return !fast || fail_too_fast(move, from, to, *fast, *limit);
-}
-
-/// The same for a part of the interval after sample k, under the limit of the move.
-bool ProgramVerifier::check_speed(std::size_t move, std::size_t k, const Trajectory& part) {
-  const std::optional<double> limit = program_.moves[move].speed;
-  if (!limit) return true;
-  const double speed = tool_speed_bound(arm_, part);
-  return speed <= *limit * speed_rounding || fail_too_fast(move, k, speed, *limit);
-}
-
-/// Fails with the largest speed between two samples or, if the budget ends before it is known, in
-/// the interval after sample `fast`.
-bool ProgramVerifier::fail_too_fast(std::size_t move, std::size_t from, std::size_t to,
-                                    std::size_t fast, double limit) {
-  double speed = tool_speed_bound(arm_, samples_between(trajectory_, from, to), budget_);
-  if (!budget_.complete()) {
-    speed = tool_speed_bound(arm_, samples_between(trajectory_, fast, fast + 1));
-  }
-  return fail_too_fast(move, from, speed, limit);
-}
-
-bool ProgramVerifier::fail_too_fast(std::size_t move, std::size_t k, double speed, double limit) {
-  return fail(
-      Fault::tool_speed, k, move,
-      {ReasonCode::tool_too_fast, {{ReasonField::speed, speed}, {ReasonField::limit, limit}}});
 }
 
 void ProgramVerifier::return_to(Progress saved) {

@@ -84,16 +84,32 @@ class ProgramVerifier {
   bool check_stop(std::size_t i);
   bool check_dwell(std::size_t move);
   bool check_rest(std::size_t move);
+  std::size_t speed_from() const { return now_.speed_from.value_or(now_.begin); }
+  void return_to(Progress saved);
+
+  // In program_verifier_speeds.cpp:
+  /// A time as a sample plus a fraction of the interval after it.
+  using SampleTime = double;
+  struct NearWaypoint {
+    SampleTime begin = 0, end = 0;
+  };
   std::optional<std::size_t> fast_interval(std::size_t from, std::size_t to,
                                            const std::optional<double>& limit);
   bool check_speed(std::size_t move, std::size_t from, std::size_t to,
                    const std::optional<double>& limit);
-  bool check_speed(std::size_t move, std::size_t k, const Trajectory& part);
+  bool check_speed(std::size_t move, std::size_t k, double from, double to,
+                   const std::optional<double>& limit);
+  bool check_speed_between(std::size_t move, SampleTime from, SampleTime to,
+                           const std::optional<double>& limit);
   bool fail_too_fast(std::size_t move, std::size_t from, std::size_t to, std::size_t fast,
                      double limit);
   bool fail_too_fast(std::size_t move, std::size_t k, double speed, double limit);
-  std::size_t speed_from() const { return now_.speed_from.value_or(now_.begin); }
-  void return_to(Progress saved);
+  double offset_at(const Pose& waypoint, SampleTime at) const;
+  SampleTime end_of_stay(const Pose& waypoint, SampleTime from, std::size_t limit) const;
+  NearWaypoint near_waypoint(const Pose& waypoint, std::size_t first, std::size_t nearest,
+                             std::size_t last) const;
+  std::optional<std::size_t> check_passing(std::size_t i, const Segment& segment, std::size_t from,
+                                           std::size_t reached, std::size_t end);
 
   // In program_verifier_joints.cpp:
   bool is_followed(const Segment& segment) const;
@@ -121,8 +137,6 @@ class ProgramVerifier {
   std::vector<std::size_t> line_ends(const Line& line, std::size_t move) const;
   bool check_section(const ProgramPart& part, std::size_t first, std::size_t last, bool to_end);
   bool check_section(const ProgramPart& part, const Route& route, const SectionEnd& end);
-  std::optional<std::size_t> check_passing(std::size_t i, const Segment& segment, std::size_t from,
-                                           std::size_t reached, std::size_t end);
   bool add(const Verification& found);
 
   /// Whether sample k is at a waypoint, within the tolerance.

@@ -40,22 +40,6 @@ struct FastPassage {
   std::size_t from = 0, to = 0, fast = 0;
 };
 
-/// The motion between samples k and k + 1 from one fraction of this interval to another.
-Trajectory part_of_interval(const Trajectory& trajectory, std::size_t k, double from, double to) {
-  Trajectory part = samples_between(trajectory, k, k + 1);
-  const double begin = part.times[0], duration = part.times[1] - begin;
-  const double fractions[] = {from, to};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (fractions[i] == static_cast<double>(i)) continue;
-    part.times[i] = begin + fractions[i] * duration;
-    const TrajectoryState state = sample(trajectory, part.times[i]);
-    part.positions[i] = state.position;
-    if (!part.velocities.empty()) part.velocities[i] = state.velocity;
-    if (!part.accelerations.empty()) part.accelerations[i] = state.acceleration;
-  }
-  return part;
-}
-
 }  // namespace
 
 bool ProgramVerifier::is_followed(const Segment& segment) const {
@@ -195,7 +179,7 @@ bool ProgramVerifier::check_passages(const JointRun& run, std::size_t next,
   constexpr double resolution = 1e-6;  // of an interval: shorter parts belong to their neighbours
   const auto check_part = [&](std::size_t i, std::size_t begin, double from, double to) {
     const std::size_t move = i < run.passed.size() ? run.passed[i] : next;
-    return check_speed(move, begin, part_of_interval(trajectory_, begin, from, to));
+    return check_speed(move, begin, from, to, program_.moves[move].speed);
   };
   for (std::size_t i = 0; i < passed.size();) {
     const std::size_t first = i, begin = passed[i].before(), end = passed[i].after();

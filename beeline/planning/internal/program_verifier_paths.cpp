@@ -20,20 +20,6 @@ Route section_of(const ProgramPart& part, std::size_t first, std::size_t last) {
   return {{slice(path.segments), slice(path.spans), slice(path.names)}, slice(part.route.stops)};
 }
 
-/// Returns the sample before the samples from `from` to `at` that are within tolerance of the pose.
-std::size_t before_near(const WaypointRests& rests, const Pose& pose, std::size_t from,
-                        std::size_t at) {
-  while (at > from && rests.offset(pose, at - 1) <= 1) --at;
-  return at > from ? at - 1 : at;
-}
-
-/// Returns the sample after the samples from `at` to `to` that are within tolerance of the pose.
-std::size_t after_near(const WaypointRests& rests, const Pose& pose, std::size_t at,
-                       std::size_t to) {
-  while (at < to && rests.offset(pose, at + 1) <= 1) ++at;
-  return at < to ? at + 1 : at;
-}
-
 void replace_line(Route& route, std::size_t segment, const Line& line) {
   route.path.segments[segment] = line;
   route.path.spans[segment] = span_of(line);
@@ -181,22 +167,6 @@ bool ProgramVerifier::check_section(const ProgramPart& part, std::size_t first, 
     }
     return check_section(part, followed, {first, move, end, to_end, leaves});
   });
-}
-
-/// Checks the speed of move i from sample `from` to `reached`, at the end of a segment which the
-/// tool passes to the next move; returns the sample from which that move's own limit holds. Which
-/// sample is the first of that move is only known to the tolerance.
-std::optional<std::size_t> ProgramVerifier::check_passing(std::size_t i, const Segment& segment,
-                                                          std::size_t from, std::size_t reached,
-                                                          std::size_t end) {
-  const Pose passed = pose_at(segment, 1);
-  const std::size_t before = before_near(rests_, passed, from, reached);
-  const std::size_t after = after_near(rests_, passed, reached, end);
-  const auto &limit = program_.moves[i].speed, &next = program_.moves[i + 1].speed;
-  const std::optional<double> larger =
-      limit && next ? std::optional(std::max(*limit, *next)) : std::nullopt;
-  if (!check_speed(i, from, before, limit) || !check_speed(i, before, after, larger)) return {};
-  return after;
 }
 
 /// Checks a path from the sample at which it begins to a stop, or to a blend with a joint move.

@@ -79,8 +79,8 @@ std::size_t WaypointRests::next_rest(const Move& move, std::size_t first) const 
   return joint_boxes_->next_near(goal, with_rounding(most, goal), first);
 }
 
-double WaypointRests::offset(const Pose& goal, std::size_t k) const {
-  const Deviation away = task_deviation(task_, goal, tool_[k]);
+double WaypointRests::offset(const Pose& goal, const Pose& tool) const {
+  const Deviation away = task_deviation(task_, goal, tool);
   return std::max(away.position / tolerance_.position, away.orientation / tolerance_.orientation);
 }
 

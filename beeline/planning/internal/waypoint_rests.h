@@ -19,9 +19,10 @@ class WaypointRests {
   /// The pose of the tool at each sample.
   const std::vector<Pose>& tool() const { return tool_; }
 
-  /// The distance of sample k from a pose, or from the waypoint of a move, as a fraction of the
-  /// tolerance.
-  double offset(const Pose& goal, std::size_t k) const;
+  /// The distance of a pose of the tool, or of sample k, from a pose or from the waypoint of a
+  /// move, as a fraction of the tolerance.
+  double offset(const Pose& goal, const Pose& tool) const;
+  double offset(const Pose& goal, std::size_t k) const { return offset(goal, tool_[k]); }
   double offset(const Move& move, std::size_t k) const;
 
   /// Whether the joints are at rest at sample k, to the tolerance of first_joint_fault() for the

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <regex>
+#include <string_view>
 
 #include <beeline/reach/internal/hdf5_file.h>
 #include <beeline/reach/internal/map_file.h>
@@ -14,11 +14,30 @@ namespace {
 
 constexpr const char *header_file = "map.h5", *slab_files = "slab-";
 
+/// Removes the digits at a text's end; whether there were any.
+bool drop_number(std::string_view& text) {
+  const std::size_t before = text.size();
+  text = text.substr(0, text.find_last_not_of("0123456789") + 1);
+  return text.size() < before;
+}
+
+bool drop(std::string_view& text, std::string_view end) {
+  if (!text.ends_with(end)) return false;
+  text.remove_suffix(end.size());
+  return true;
+}
+
 /// Whether a file of the folder is map.h5, slab-<number>.h5, or one of these that was not written
-/// to the end (MapWriter).
-bool is_own(const std::string& name) {
-  static const std::regex own(R"((map|slab-\d+)\.h5(\..+-\d+-\d+\.part)?)");
-  return std::regex_match(name, own);
+/// to the end, <name>.<host>-<number>-<number>.part (MapWriter).
+bool is_own(std::string_view name) {
+  if (drop(name, ".part")) {
+    if (!drop_number(name) || !drop(name, "-") || !drop_number(name) || !drop(name, "-"))
+      return false;
+    const std::size_t host = name.find(".h5.") + 3;
+    if (host < 3 || host + 1 >= name.size()) return false;
+    name = name.substr(0, host);
+  }
+  return drop(name, ".h5") && (name == "map" || (drop_number(name) && name == slab_files));
 }
 
 }  // namespace

@@ -155,6 +155,40 @@ TEST(MeshShapes, AreFoundInPackages) {
   EXPECT_EQ(mesh_of(urdf, "filename=\"model://arm/m/a.obj\"").hull_of, package);
 }
 
+// A repository's folder often has another name than its package.
+TEST(MeshShapes, AreFoundInPackagesByPackageXml) {
+  const TemporaryFolder folder;
+  namespace fs = std::filesystem;
+  const auto put = [&](const std::string& path, const std::string& text) {
+    fs::create_directories(fs::path(folder.file(path)).parent_path());
+    return folder.write(path, text);
+  };
+  const auto package = [](const std::string& name) {
+    return "<?xml version=\"1.0\"?><package format=\"3\"><name>" + name + "</name></package>";
+  };
+  const std::string urdf = folder.file("src/arm-main/urdf/r.urdf");
+  fs::create_directories(fs::path(urdf).parent_path());
+  const auto found = [&](const std::string& name) {
+    return mesh_of(urdf, "filename=\"package://" + name + "/m/a.obj\"").hull_of;
+  };
+  const std::string own = put("src/arm-main/m/a.obj", testing::obj(tetrahedron));
+  const std::string other = put("src/gripper-2.0/m/a.obj", testing::obj(tetrahedron));
+  put("src/gripper-2.0/package.xml", package("gripper"));
+  EXPECT_REFUSED(found("arm"), "is not found");
+  EXPECT_REFUSED(found("gripper"), "is not found");  // no package.xml above the file
+  for (const std::string& broken : {std::string("<package"), package(""), std::string("<name/>"),
+                                    package(std::string(70000, 'x'))}) {
+    put("src/arm-main/package.xml", broken);
+    EXPECT_REFUSED(found("arm"), "is not found");
+  }
+  put("src/arm-main/package.xml", package("arm"));
+  EXPECT_EQ(found("arm"), own);
+  EXPECT_EQ(found("gripper"), other);
+  EXPECT_REFUSED(found("none"), "is not found");
+  const std::string named = put("src/gripper/m/a.obj", testing::obj(tetrahedron));
+  EXPECT_EQ(found("gripper"), named) << "the folder of that name first";
+}
+
 TEST(MeshShapes, AreFoundByPaths) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.obj", testing::obj(tetrahedron));

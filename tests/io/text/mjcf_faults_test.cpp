@@ -96,9 +96,6 @@ std::vector<BrokenMjcf> broken_sections() {
       {with_section("<default><default/></default>"), "a.xml:2: <default> needs the attribute"},
       {with_section("<default><default class=\"x\"/>\n<default class=\"x\"/></default>"),
        "a.xml:3: two classes of defaults have the name x"},
-      {with_section("<default><default class=\"x\"/></default>"
-                    "\n<default><joint axis=\"0 1 0\"/></default>"),
-       "a.xml:3: a second <default> sets axis of the class main after other classes"},
       {with_section("<default><joint axis=\"0 0 y\"/></default>"),
        "a.xml:2: <joint>: axis: \"y\" is not a number"},
       {with_section("<equality><joint joint2=\"j\"/></equality>"),

@@ -3,6 +3,7 @@
 
 #include <beeline/io/text/urdf.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/kinematics/jacobian.h>
 
 #include <tests/io/text/mjcf_samples.h>
 #include <tests/refusal.h>
@@ -183,6 +184,28 @@ TEST(Mjcf, ARobotOnAFreeBaseBeginsBelowIt) {
   EXPECT_EQ(arm.dof(), 1);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0].kind, ReadWarningKind::below_free_joint);
+}
+
+// The axes are MuJoCo's.
+TEST(Mjcf, AClassKeepsWhatMainHadWhenItBegan) {
+  const std::string text =
+      "<mujoco><default><joint axis=\"0 1 0\"/><default class=\"x\"/>"
+      "<default class=\"w\"><joint axis=\"0 0 1\"/></default></default>"
+      "<default><joint axis=\"1 0 0\"/><default class=\"y\"/></default>"
+      "<worldbody><body><joint class=\"x\"/><body><joint/><body><joint class=\"y\"/>"
+      "<body><joint class=\"w\"/></body></body></body></body></worldbody></mujoco>";
+  const Arm arm = parse_mjcf(text);
+  const std::vector<Vector3> axes{Vector3::UnitY(), Vector3::UnitX(), Vector3::UnitX(),
+                                  Vector3::UnitZ()};
+  ASSERT_EQ(arm.dof(), 4);
+  const Jacobian columns = jacobian(arm, Configuration::Zero(4));
+  for (int k = 0; k < 4; ++k) EXPECT_TRUE(columns.col(k).tail<3>().isApprox(axes[k], 1e-15)) << k;
+  std::string many = "<mujoco>";
+  for (int i = 0; i < 200; ++i) {
+    many += "<default><default class=\"c" + std::to_string(i) + "\"/></default>";
+  }
+  many += "<worldbody><body><joint/></body></worldbody></mujoco>";
+  EXPECT_REFUSED(parse_mjcf(many), "more than 100 <default>");
 }
 
 TEST(Mjcf, SitesAreTipsThatAreNamed) {

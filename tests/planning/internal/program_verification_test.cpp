@@ -262,5 +262,46 @@ TEST(VerifyProgram, RefusesPlantedFaults) {
   EXPECT_EQ(extra.fault, Fault::not_through) << extra.reason;
 }
 
+// However far apart the samples are, the larger limit of two moves holds at their waypoint alone.
+TEST(VerifyProgram, SpeedOfAMoveHoldsUpToAWaypointThatIsPassed) {
+  const Arm arm = built_in("gantry");
+  const auto motion = [&](int n) {  // 2 m in 6 s, 1 m/s^2 at most
+    Trajectory along{arm.joint_names(), {}, {}, {}, {}};
+    for (int k = 0; k <= n; ++k) {
+      const double s = double(k) / n, x = 2 * s * s * s * (10 - 15 * s + 6 * s * s);
+      along.times.push_back(6 * s);
+      along.positions.push_back(Configuration{{x, 0}});
+      along.velocities.push_back(Configuration{{10 * s * s * (1 - s) * (1 - s), 0}});
+    }
+    return along;
+  };
+  Program program;
+  for (const double x : {1, 2}) {
+    program.moves.push_back({.kind = MoveKind::spline, .target = make_pose({x, 0, 0})});
+  }
+  Move &first = program.moves[0], &second = program.moves[1];
+  VerifyOptions options;
+  options.task = Task::position();
+  options.tolerance = 1e-3;
+  constexpr double slow = 0.05, enough = 0.7;
+  for (const int n : {2, 4, 32, 1000}) {
+    const Trajectory along = motion(n);
+    for (const std::optional<double> other : {std::optional<double>(), std::optional(0.9)}) {
+      first.speed = slow;
+      second.speed = other;
+      const Verification early = verify(arm, along, program, options);
+      EXPECT_EQ(early.fault, Fault::tool_speed) << n << early.reason;
+      EXPECT_EQ(testing::field<std::size_t>(early.reason, ReasonField::move), 1U);
+      first.speed = other;
+      second.speed = slow;
+      const Verification late = verify(arm, along, program, options);
+      EXPECT_EQ(late.fault, Fault::tool_speed) << n << late.reason;
+      EXPECT_EQ(testing::field<std::size_t>(late.reason, ReasonField::move), 2U);
+    }
+    first.speed = second.speed = enough;
+    EXPECT_TRUE(verify(arm, along, program, options)) << n;
+  }
+}
+
 }  // namespace
 }  // namespace beeline

@@ -14,10 +14,7 @@ struct MeshPlaces {
 
 /// Returns where to look for a mesh that a URDF file names. `filename` is
 ///   - package://NAME/PATH, also model://NAME/PATH: in the folder `package` gives for NAME or, if
-///   it
-///     has none, in each folder of ROS_PACKAGE_PATH that is called NAME or contains NAME, in
-///     share/NAME of each folder of AMENT_PREFIX_PATH, and in the folders above the URDF file, from
-///     below, that are called NAME or contain NAME
+///     it has none, in package_folders()
 ///   - file://PATH
 ///   - a path, relative to the folder of the URDF file.
 /// Throws Error for another scheme, and for a text without a path.

@@ -16,15 +16,6 @@ constexpr int max_class_depth = 20;  // bounds the time of a look-up
 
 const XmlElements& reader_of(const XMLElement& element) { return MjcfDocument::reader_of(element); }
 
-/// Whether kinematics or shapes depend on attributes of this name.
-bool is_read(std::string_view attribute) {
-  constexpr std::string_view names[] = {
-      "axis",    "axisangle", "conaffinity", "contype", "euler",  "file", "fitscale", "fromto",
-      "limited", "mesh",      "pos",         "quat",    "range",  "ref",  "refpos",   "refquat",
-      "scale",   "size",      "type",        "vertex",  "xyaxes", "zaxis"};
-  return std::find(std::begin(names), std::end(names), attribute) != std::end(names);
-}
-
 }  // namespace
 
 MjcfDefaults::MjcfDefaults(const MjcfDocument& document) : document_(&document) {
@@ -38,7 +29,24 @@ MjcfDefaults::MjcfDefaults(const MjcfDocument& document) : document_(&document) 
                                                   in_quotes(name) +
                                                   "; its class is main, and others are inside it");
     }
+    keep_main(*at);
     read(*at, main_class, 0);
+  }
+}
+
+/// In MuJoCo a class keeps what main had when the class began, also if a further <default> changes
+/// main: the classes inside it get a copy of it around them.
+void MjcfDefaults::keep_main(const XMLElement& next) {
+  constexpr int max_copies = 100;
+  const auto is_inside_main = [](const Class& of_file) { return of_file.around == main_class; };
+  if (std::none_of(classes_.begin(), classes_.end(), is_inside_main)) return;
+  if (++copies_ > max_copies) {
+    reader_of(next).refuse(next.GetLineNum(), "has more than 100 <default> with classes");
+  }
+  const std::size_t copy = classes_.size();
+  classes_.push_back({"", std::nullopt, classes_[main_class].elements});
+  for (Class& of_file : classes_) {
+    if (is_inside_main(of_file)) of_file.around = copy;
   }
 }
 
@@ -47,13 +55,6 @@ void MjcfDefaults::read(const XMLElement& element, std::size_t own, int depth) {
   for (const XMLElement* at : document_->children(element)) {
     if (std::string_view(at->Name()) == "default") continue;
     for (const auto* given = at->FirstAttribute(); given != nullptr; given = given->Next()) {
-      // In MuJoCo a class keeps what main had when the class began.
-      if (own == main_class && classes_.size() > 1 && is_read(given->Name())) {
-        reader_of(*at).refuse(at->GetLineNum(),
-                              std::string("a second <default> sets ") + given->Name() +
-                                  " of the class main after other classes, which is not "
-                                  "supported; set it in the first");
-      }
       classes_[own].elements[{at->Name(), given->Name()}] = at;
     }
   }
@@ -80,7 +81,9 @@ std::size_t MjcfDefaults::class_of(const XMLElement& element, const char* attrib
   const auto found = by_name_.find(name);
   if (found != by_name_.end()) return found->second;
   std::vector<std::string> known;
-  for (const Class& of_file : classes_) known.push_back(of_file.name);
+  for (const Class& of_file : classes_) {
+    if (!of_file.name.empty()) known.push_back(of_file.name);
+  }
   reader_of(element).refuse(
       element.GetLineNum(),
       described(element) + " has an " +

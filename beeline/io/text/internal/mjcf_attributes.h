@@ -36,15 +36,17 @@ class MjcfDefaults {
  private:
   using Key = std::pair<std::string_view, std::string_view>;  ///< tag and attribute
   struct Class {
-    std::string name;
+    std::string name;  ///< empty: the class main as it was
     std::optional<std::size_t> around;
     std::map<Key, const tinyxml2::XMLElement*> elements = {};
   };
 
+  void keep_main(const tinyxml2::XMLElement& next);
   void read(const tinyxml2::XMLElement& element, std::size_t own, int depth);
 
   const MjcfDocument* document_;
   std::vector<Class> classes_;
+  int copies_ = 0;  ///< of main, among the classes
   std::unordered_map<std::string, std::size_t> by_name_;
 };
 

@@ -128,9 +128,11 @@ std::string MjcfDocument::included_path(const XMLElement& include) const {
     }
     fault.clear();
   }
-  reader.refuse(include.GetLineNum(), "the included file " + in_quotes(name) +
-                                          (outside ? " is outside of the folder of the model"
-                                                   : " is not found in the folder of the model"));
+  reader.refuse(include.GetLineNum(),
+                "the included file " + in_quotes(name) +
+                    (outside ? " is outside of the folder of the model; copy the "
+                               "model and what it includes into one folder"
+                             : " is not found in the folder of the model"));
 }
 
 void MjcfDocument::append_children(const XMLElement& parent,

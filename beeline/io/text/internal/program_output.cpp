@@ -16,7 +16,7 @@ namespace beeline::internal {
 
 std::optional<std::string> program_in_path(const std::string& /*name*/) { return std::nullopt; }
 
-ProgramOutput run_program(const std::vector<std::string>& command,
+ProgramOutput run_program(const std::vector<std::string>& command, const std::string& /*folder*/,
                           const ProgramBounds& /*bounds*/) {
   throw Error("the program " + command.front() + " cannot be run here");
 }
@@ -78,7 +78,8 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-pid_t started(const std::vector<std::string>& command, const Pipe& output, const Pipe& messages) {
+pid_t started(const std::vector<std::string>& command, const std::string& folder,
+              const Pipe& output, const Pipe& messages) {
   std::vector<char*> list;
   for (const std::string& word : command) list.push_back(const_cast<char*>(word.c_str()));
   list.push_back(nullptr);
@@ -87,6 +88,7 @@ pid_t started(const std::vector<std::string>& command, const Pipe& output, const
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, output.to(), STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, messages.to(), STDERR_FILENO);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   // The host's treatment of signals is not the program's.
   sigset_t none, pipes;
   sigemptyset(&none);
@@ -180,9 +182,10 @@ std::optional<std::string> program_in_path(const std::string& name) {
   return std::nullopt;
 }
 
-ProgramOutput run_program(const std::vector<std::string>& command, const ProgramBounds& bounds) {
+ProgramOutput run_program(const std::vector<std::string>& command, const std::string& folder,
+                          const ProgramBounds& bounds) {
   Pipe output, messages;
-  const pid_t process = started(command, output, messages);
+  const pid_t process = started(command, folder, output, messages);
   output.close_end(1);
   messages.close_end(1);
   const ProgramClock::time_point deadline = ProgramClock::now() + bounds.time;

@@ -25,9 +25,10 @@ struct ProgramOutput {
   std::string messages;  ///< the first 64 kB of its standard error
 };
 
-/// Runs a program, without a shell and with an empty standard input, until it ends or exceeds a
-/// bound, which kills it. `command` is its path and its arguments. Throws Error if no process can
-/// be created.
-ProgramOutput run_program(const std::vector<std::string>& command, const ProgramBounds& bounds);
+/// Runs a program in a folder, without a shell and with an empty standard input, until it ends or
+/// exceeds a bound, which kills it. `command` is its path and its arguments. Throws Error if no
+/// process can be created.
+ProgramOutput run_program(const std::vector<std::string>& command, const std::string& folder,
+                          const ProgramBounds& bounds);
 
 }  // namespace beeline::internal

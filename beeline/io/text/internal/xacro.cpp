@@ -10,6 +10,7 @@
 #include <beeline/error.h>
 #include <beeline/io/text/file.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/io/text/internal/package_folder.h>
 #include <beeline/io/text/internal/program_output.h>
 #include <beeline/io/text/internal/xacro.h>
 #include <beeline/io/text/urdf.h>
@@ -45,16 +46,10 @@ std::string one_line(std::string_view message) {
   return with_escaped_bytes(line);
 }
 
-/// The folder of a package that contains a file, or stands beside one of the folders above it.
-std::optional<std::filesystem::path> package_folder(const std::string& name,
-                                                    const std::filesystem::path& file) {
-  std::error_code fault;
-  for (std::filesystem::path at = file.parent_path(); at != at.parent_path();
-       at = at.parent_path()) {
-    if (at.filename() == name) return at;
-    if (std::filesystem::is_directory(at / name, fault)) return at / name;
-  }
-  return std::nullopt;
+bool is_package_name(std::string_view name) {
+  return !name.empty() && name.front() != '-' &&
+         std::all_of(name.begin(), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
 }
 
 /// Adds the names between `opening` and `closing` in a text that may be names of packages.
@@ -66,30 +61,38 @@ void add_package_names(std::string_view text, std::string_view opening, char clo
     const std::size_t begin = at + opening.size();
     const std::size_t end = std::min(text.find(closing, begin), text.size());
     const std::string_view name = text.substr(begin, end - begin);
-    const bool usable = !name.empty() && name.front() != '-' &&
-                        std::all_of(name.begin(), name.end(), [](unsigned char c) {
-                          return std::isalnum(c) != 0 || c == '_' || c == '-';
-                        });
-    if (usable) names.emplace(name);
+    if (is_package_name(name)) names.emplace(name);
   }
 }
 
-/// The options of xacrodoc with the folders of the packages that a text names in `$(find NAME)` and
-/// `package://NAME/`. Without them, xacrodoc finds packages that have a file package.xml or that
-/// ROS knows.
+/// The options of xacrodoc with the folders of packages: of those that a text names in `$(find
+/// NAME)` and `package://NAME/` and, as included files may name others, of those that the folders
+/// above the file and in ROS_PACKAGE_PATH are called; and with the folder around the file's own
+/// package. Without them, xacrodoc finds packages above the file that have a package.xml, and those
+/// that ROS knows.
 std::vector<std::string> package_options(std::string_view text, const std::string& path) {
   std::error_code fault;
-  const std::filesystem::path file = std::filesystem::weakly_canonical(path, fault);
   std::set<std::string> names;
   add_package_names(text, "$(find ", ')', names);
   add_package_names(text, "package://", '/', names);
+  for (const std::string& name : names_of_folders(path)) {
+    if (is_package_name(name)) names.insert(name);
+  }
   std::vector<std::string> options;
   for (const std::string& name : names) {
-    const auto folder = package_folder(name, file);
-    if (folder) options.insert(options.end(), {"-p", name + ":=" + folder->string()});
+    for (const std::filesystem::path& folder : package_folders(name, path)) {
+      if (!std::filesystem::is_directory(folder, fault)) continue;
+      options.insert(options.end(), {"-p", name + ":=" + folder.string()});
+      break;
+    }
   }
+  const std::filesystem::path around = folder_around_package(path);
+  if (!around.empty()) options.insert(options.end(), {"-d", around.string()});
   return options;
 }
+
+/// Whether a message of xacro or xacrodoc says that it does not find a package.
+bool is_about_packages(std::string_view message) { return contains(message, "ackage"); }
 
 /// Refuses a file that its program could not expand.
 [[noreturn]] void refuse_output(const std::string& path, const std::string& program,
@@ -103,7 +106,12 @@ std::vector<std::string> package_options(std::string_view text, const std::strin
       break;
   }
   const std::string message = one_line(read.messages.empty() ? read.output : read.messages);
-  throw FileError(path, 0, program + " fails" + (message.empty() ? "" : ": " + message));
+  const char* const advice =
+      is_about_packages(message)
+          ? " (a package is looked for by the name of its folder, or of a link to it, above the "
+            "file and in the folders of ROS_PACKAGE_PATH)"
+          : "";
+  throw FileError(path, 0, program + " fails" + (message.empty() ? "" : ": " + message) + advice);
 }
 
 /// Expanded texts, by the path and the text of the file.
@@ -147,13 +155,16 @@ void ExpandedText::expand(const std::string& path) {
                     "and pass the URDF that it writes");
   }
   const std::string absolute = std::filesystem::absolute(path).string();  // begins with no dash
-  ProgramOutput read = run_program({*found, absolute}, xacro_bounds);
+  // xacrodoc looks for included files without a folder in its own one.
+  const std::string folder = std::filesystem::path(absolute).parent_path().string();
+  ProgramOutput read = run_program({*found, absolute}, folder, xacro_bounds);
   if (read.ending == ProgramOutput::Ending::failed && program_ == "xacrodoc") {
     std::vector<std::string> command = package_options(text_, path);
     if (!command.empty()) {
       command.insert(command.begin(), *found);
       command.push_back(absolute);
-      read = run_program(command, xacro_bounds);
+      ProgramOutput second = run_program(command, folder, xacro_bounds);
+      if (second.ending != ProgramOutput::Ending::out_of_time) read = std::move(second);
     }
   }
   if (read.ending != ProgramOutput::Ending::succeeded || read.output.empty()) {
