@@ -104,7 +104,8 @@ enum class InverseStatus {
                             ///< closed form, or none of at least 32 searches comes within 1e-3 rad
   outside_limits,  ///< the pose is reached, but no solution within the joint limits was found; none
                    ///< exists if `reason` is ReasonCode::all_solutions_outside_limits
-  not_found,       ///< the search ended without a solution, which proves nothing
+  not_found,   ///< the search ended without a solution, which proves nothing; searches say no more
+               ///< of arms with helical joints, or with mimic joints whose ratio is no integer
   time_limit,  ///< the budget's time ended the search; `solutions` has the solutions found so far
   cancelled,   ///< the search was cancelled; as for `time_limit`
   work_limit,  ///< the budget's work ended the search; as for `time_limit`

@@ -5,7 +5,6 @@ namespace beeline::python {
 
 void bind_planar_poses(nb::module_& m) {
   nb::class_<Pose2> pose = bind_record<Pose2>(m);
-  bind_numbers(pose);
   pose.def(
       "__matmul__", [](const Pose2& a, const Pose2& b) { return a * b; }, nb::is_operator(),
       nb::sig("def __matmul__(self, other: Pose2, /) -> Pose2"));

@@ -151,3 +151,13 @@ HALF = np.diag([1, 1, 0.5, 1.0])
 def test_what_is_not_a_pose_is_refused(call, error, message):
     with pytest.raises(error, match=message):
         call()
+
+
+def test_orientations_are_sequences_of_numbers():
+    pose = beeline.make_pose([0, 0, 0], rpy=[0.1, 0.2, 0.3])
+    quaternion, angles = beeline.quaternion(pose[:3, :3]), beeline.roll_pitch_yaw(pose[:3, :3])
+    assert tuple(quaternion) == (quaternion.qw, quaternion.qx, quaternion.qy, quaternion.qz)
+    array = np.array(angles)
+    assert array.dtype == np.float64
+    np.testing.assert_allclose(array, [0.1, 0.2, 0.3], atol=1e-15)
+    assert np.asarray(quaternion, dtype=np.float32).dtype == np.float32

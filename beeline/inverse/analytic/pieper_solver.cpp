@@ -119,11 +119,12 @@ bool rotates_about(const Chain& chain, const Vector3& axis) {
          distance <= special * size_of(axes_of(chain), chain.tool);
 }
 
-/// Whether coordinate k of seven moves in self-motions. One that does not has the values that the
-/// pose determines, and no solutions at others.
+/// Whether coordinate k of seven moves in self-motions. One that stands still, or nearly, has the
+/// values that the pose determines: there are no solutions at others, and a grid misses them.
 bool moves_in_self_motion(const Arm& arm, int k) {
-  constexpr int trials = 3;
-  constexpr double rounding = 1e-9;  // of singular values, relative, and of unit vectors
+  constexpr int trials = 8;
+  constexpr double rounding = 1e-9;  // of singular values, relative
+  constexpr double least = 0.05;     // part of a self-motion of unit length
   Splitmix random(1);
   Configuration q(7);
   for (int trial = 0; trial < trials; ++trial) {
@@ -131,7 +132,7 @@ bool moves_in_self_motion(const Arm& arm, int k) {
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(arm, q), Eigen::ComputeFullV);
     const auto& sigma = svd.singularValues();
     const auto rank = (sigma.array() > rounding * sigma[0]).count();
-    if (svd.matrixV().row(k).tail(7 - rank).norm() > rounding) return true;
+    if (svd.matrixV().row(k).tail(7 - rank).norm() > least) return true;
   }
   return false;
 }

@@ -12,6 +12,7 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/internal/joint_reason.h>
+#include <beeline/model/internal/periodic_coordinate.h>
 
 namespace beeline::internal {
 namespace {
@@ -198,6 +199,16 @@ std::optional<Configuration> nearest_configuration(SolverState& state, const Req
   return q;
 }
 
+/// Whether the equivalent of every configuration is within one turn of each joint, so that searches
+/// from many starts show that there is no solution. Helical joints, and joints with a mimic joint
+/// whose ratio is not an integer, have others in every turn.
+bool is_searched_by_starts(const Arm& arm) {
+  for (int k = 0; k < arm.dof(); ++k) {
+    if (kind(arm.joint_of(k)) != JointKind::prismatic && !is_periodic(arm, k)) return false;
+  }
+  return true;
+}
+
 /// Chooses the status for a request for which no solution is known, with or without limits.
 void set_nearest(const Request& request, bool proved, const Configuration& q, StageResult& found) {
   const UnconstrainedResult& evidence = found.unconstrained;
@@ -205,15 +216,16 @@ void set_nearest(const Request& request, bool proved, const Configuration& q, St
   result.nearest = nearest_miss(request, q);
   const Deviation& error = result.nearest->error;
   const bool has_position = position_part(request.task).size() > 0;
-  const bool away =
-      error.position > std::max(request.tolerance, at_the_edge * unit_of_length(request.arm));
+  const bool shown = is_searched_by_starts(request.arm);
+  const bool away = shown && error.position > std::max(request.tolerance,
+                                                       at_the_edge * unit_of_length(request.arm));
   if (has_position && (away || (proved && error.position > request.tolerance))) {
     return set_negative_status(request, InverseStatus::unreachable, found);
   }
   // This is the accuracy of nearest_orientation().
   constexpr double clear = 1e-3;  // radians
   const bool searched =
-      (result.restarts >= max_starts || evidence.range_examined || evidence.far) &&
+      shown && (result.restarts >= max_starts || evidence.range_examined || evidence.far) &&
       error.orientation > clear;
   const bool examined = evidence.complete && error.orientation > at_the_edge;
   const bool in_position = error.position <= request.tolerance;
@@ -258,6 +270,7 @@ std::optional<bool> is_solved_beyond(const SolverState& state, const Request& re
 /// The status of a pose that has no solution, with or without limits.
 std::optional<InverseStatus> status_by_position(SolverState& state, const Request& request) {
   const Task position = position_part(request.task);
+  if (!is_searched_by_starts(request.arm)) return std::nullopt;
   if (position.size() == 0 || position.size() == request.task.size()) return std::nullopt;
   const Configuration& q = nearest_of_searches(request, position, state, request.seed);
   if (!request.budget.complete()) return std::nullopt;

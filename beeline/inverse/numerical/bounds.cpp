@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <beeline/error.h>
@@ -46,8 +47,10 @@ void check_task(const Arm& arm, const Task& task, const Bounds& bounds) {
 }
 
 double unit_of_length(const Arm& arm) {
-  const double reach = arm.reach().radius;
-  return std::isfinite(reach) && reach > 0 ? reach : 1;
+  constexpr double rounding = 1e-12;  // metres and relative: a tool that never moves has no reach
+  const Arm::Reach& reach = arm.reach();
+  const bool moves = reach.radius > rounding * std::max(1.0, reach.centre.norm());
+  return std::isfinite(reach.radius) && moves ? reach.radius : 1;
 }
 
 }  // namespace beeline::internal

@@ -61,12 +61,18 @@ namespace internal {
 void draw_configuration(const NumericalProblem& problem, double far, Splitmix& random, double* q) {
   for (std::size_t k = 0; k < problem.coordinates.size(); ++k) {
     const NumericalProblem::Coordinate& coordinate = problem.coordinates[k];
-    double away = coordinate.slides ? far : 0x1.921fb54442d18p+1;
+    constexpr double half_turn = 0x1.921fb54442d18p+1, max_angle = 1e4;  // radians
+    double away = coordinate.slides ? far : half_turn;
     for (int i = coordinate.first_link; i < coordinate.end_link && !coordinate.slides; ++i) {
       const auto link = static_cast<std::size_t>(problem.links[i]);
       const double travel = std::abs(problem.chain.links[link].d_per_q);
-      constexpr double max_angle = 1e4;  // radians
+      const double ratio = std::abs(problem.chain.links[link].theta_per_q);
       if (travel > 0) away = std::max(away, std::min(2 * far / travel, max_angle));
+      // With a mimic joint whose ratio is not an integer, further turns differ from the first.
+      constexpr double turns = 4;
+      if (!coordinate.periodic && travel == 0 && ratio > 0) {
+        away = std::max(away, std::min(turns * half_turn / std::min(ratio, 1.0), max_angle));
+      }
     }
     double lower = coordinate.lower, upper = coordinate.upper;
     if (!std::isfinite(lower)) lower = std::min(-away, upper - 2 * away);
