@@ -39,8 +39,9 @@ Frame frame_named(std::string_view name) {
     return frame_names.named(name);
   } catch (const Error& unknown) {
     throw Error(unknown.what() +
-                std::string("; base and space have the world's axes: base is the velocity of the "
-                            "tool's origin, space of the point at the world's origin"));
+                std::string("; base and tool are the velocity of the tool's origin, in the "
+                            "world's axes and in the tool's (the body Jacobian); space is the "
+                            "velocity of the point at the world's origin, in the world's axes"));
   }
 }
 
