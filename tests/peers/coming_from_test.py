@@ -55,6 +55,24 @@ def test_robotics_toolbox_links_and_inverse(random):
     assert same(ours.solutions[0], q)
 
 
+def test_modern_robotics(random):
+    # Lynch & Park, example 4.5: the space screws [w v] and the home pose of a UR5.
+    l1, l2, w1, w2, h1, h2 = 0.425, 0.392, 0.109, 0.082, 0.089, 0.095
+    screws = np.array([[0, 0, 1, 0, 0, 0], [0, 1, 0, -h1, 0, 0], [0, 1, 0, -h1, 0, l1],
+                       [0, 1, 0, -h1, 0, l1 + l2], [0, 0, -1, -w1, l1 + l2, 0], [0, 1, 0, h2 - h1, 0, l1 + l2]])
+    home = np.array([[-1, 0, 0, l1 + l2], [0, 0, 1, w1 + w2], [0, 1, 0, h1 - h2], [0, 0, 0, 1]])
+    linear_first = np.roll(screws, 3, axis=1)  # [v w], as in a Jacobian of Beeline
+    arm = beeline.Arm("ur5", [beeline.Joint(name=f"joint{i + 1}", screw=screw) for i, screw in enumerate(linear_first)],
+                      tool=home)  # T = exp(S1 q1) ... exp(S6 q6) M
+
+    tool = arm.forward_kinematics([0, -np.pi / 2, 0, 0, np.pi / 2, 0])
+    assert same(tool[:3, 3], [h2, w1, h1 + l1 + l2 + w2])  # as the book says
+    assert same(arm.jacobian(np.zeros(6), "space"), linear_first.T)  # JacobianSpace, linear first
+    q = random.uniform(-1, 1, 6)
+    pose = arm.forward_kinematics(q)
+    assert same(arm.jacobian(q, "tool"), beeline.adjoint(np.linalg.inv(pose)) @ arm.jacobian(q, "space"))  # JacobianBody
+
+
 def test_robotics_toolbox_tools(random):
     q = random.uniform(-1, 1, 7)
     hand = SE3.Rz(-np.pi / 4) * SE3.Tz(0.1034)  # on the flange; its DH model has 0.103

@@ -63,7 +63,8 @@ void check_joint(Joint& joint, std::size_t index) {
   const double rotation = joint.screw.tail<3>().norm();
   const double unit = rotation == 0 ? joint.screw.head<3>().norm() : rotation;
   if (std::abs(unit - 1) > rounding) {
-    throw Error(what + " has a screw of length " + number(unit) + "; it must be 1");
+    throw Error(what + " has a screw of length " + number(unit) +
+                "; it must be 1: [vx vy vz wx wy wz] with w of length 1, or 0 and v of length 1");
   }
   check_limits(joint.limits, what);
 }
