@@ -4,6 +4,7 @@
 
 #include <beeline/draw/arm_figure.h>
 #include <beeline/draw/internal/annotation.h>
+#include <beeline/draw/internal/joint_charts.h>
 #include <beeline/draw/internal/text.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/kinematics/jacobian.h>
@@ -50,9 +51,10 @@ void add_jacobian_arrows(Drawing& drawing, const Arm& arm, const ConfigurationRe
     arrow.outline = 0.7;
     arrow.rim = paper_white;
     arrow.arrow = true;
+    arrow.dashes = joint_curve("", k).dashes;
     drawing.add(Layer::mark, arrow);
-    constexpr int max_labels = 8;  // more labels would overlap
-    if (arm.dof() > max_labels) continue;
+    constexpr std::size_t max_labels = 8;  // more labels would overlap
+    if (i >= max_labels) continue;
     drawing.add(Layer::note, Label{arrow.points.back(), "J" + subscript(k + 1), arrow.colour, 9,
                                    velocity.x(), velocity.y()});
   }

@@ -8,8 +8,9 @@
 namespace beeline::internal {
 
 /// Draws the linear velocity of each Jacobian column at the tool, times `scale` (metres of arrow
-/// for each metre per unit of the coordinate), in distinct_colour(k); Figure 1.8 of Dellaert,
-/// *Serial Link Manipulators*. An arrow along a shorter one is wider and below it. With `levers`,
+/// for each metre per unit of the coordinate), in the style of joint_curve(); Figure 1.8 of
+/// Dellaert, *Serial Link Manipulators*. An arrow along a shorter one is wider and below it; the
+/// eight longest have labels. With `levers`,
 /// adds a dashed line from each revolute joint to the tool.
 void add_jacobian_arrows(Drawing& drawing, const Arm& arm, const ConfigurationRef& q, double scale,
                          bool levers = false);
