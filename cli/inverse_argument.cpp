@@ -89,7 +89,7 @@ std::vector<Option> InverseArgument::search_options() {
              {.choices = {name(InverseMethod::automatic), name(InverseMethod::closed_form),
                           name(InverseMethod::numerical)}}),
       Option("--tolerance E", "Largest error of a solution, in metres and in radians.",
-             &values.tolerance, {.range = above_zero}),
+             &values.tolerance, {.range = {.lowest = 0, .highest = 0.1, .excludes_lowest = true}}),
       Option("--max-iterations N",
              "Largest number of iterations from one start of the numerical method.",
              &values.max_iterations),

@@ -56,7 +56,8 @@ std::vector<Option> SceneArgument::shape_options() {
       Option("--package NAME=FOLDER",
              "The folder of a package of ROS, for meshes package://NAME/... of URDF files. Without "
              "it they are looked for in ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the folders above "
-             "the file. Meshes are taken as their convex hulls. Several times for "
+             "the file, also by their package.xml. Meshes are taken as their convex hulls. Several "
+             "times for "
              "several packages.",
              &package)};
 }

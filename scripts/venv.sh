@@ -7,9 +7,9 @@ cd "$(dirname "$0")/.."
 folder=$1
 requirements=$2
 
-# One at a time, as steps that run beside each other use the same one.
+# One at a time, as steps that run beside each other use the same one; this file is the lock.
 if command -v flock >/dev/null; then
-  exec 9>"${TMPDIR:-/tmp}/beeline-venv-$(id -u).lock"
+  exec 9<scripts/venv.sh
   flock 9
 fi
 stamp=$folder/requirements.txt

@@ -105,7 +105,7 @@ enum class InverseStatus {
   outside_limits,  ///< the pose is reached, but no solution within the joint limits was found; none
                    ///< exists if `reason` is ReasonCode::all_solutions_outside_limits
   not_found,   ///< the search ended without a solution, which proves nothing; searches say no more
-               ///< of arms with helical joints, or with mimic joints whose ratio is no integer
+               ///< of arms with helical joints
   time_limit,  ///< the budget's time ended the search; `solutions` has the solutions found so far
   cancelled,   ///< the search was cancelled; as for `time_limit`
   work_limit,  ///< the budget's work ended the search; as for `time_limit`

@@ -145,8 +145,9 @@ void count_recovery(Retimed& timed) {
   timed.reason.set(ReasonField::count, timed.sections);
 }
 
-/// Removes the samples behind the first one that are outside the limits, in a straight line towards
-/// them: a motion that recovers already has such samples.
+/// Removes the samples of a recovery from a recording of a motion that has one: behind the first
+/// sample those outside the limits, if they are different, in order on the straight line to the
+/// nearest configuration within the limits, and others follow.
 void remove_recovery(const Arm& arm, Trajectory& trajectory) {
   constexpr double rounding = 1e-9;  // radians or metres
   std::vector<Configuration>& q = trajectory.positions;
@@ -157,9 +158,10 @@ void remove_recovery(const Arm& arm, Trajectory& trajectory) {
     const Configuration moved = q[end] - q.front();
     const double part = moved.dot(change) / change.squaredNorm();
     const bool is_straight = (moved - part * change).lpNorm<Eigen::Infinity>() <= rounding;
-    if (!is_straight || part < done || internal::largest_excess(arm, q[end]) <= 0) break;
+    if (!is_straight || part <= done || internal::largest_excess(arm, q[end]) <= 0) break;
     done = part;
   }
+  if (end == q.size() || internal::largest_excess(arm, q[end]) > 0) return;
   const auto erase = [end](auto& samples) {
     if (!samples.empty()) samples.erase(samples.begin() + 1, samples.begin() + end);
   };
@@ -178,7 +180,6 @@ Retimed retimed_from_outside(const Arm& arm, Trajectory trajectory, const Retime
     if (section.trajectory.size() > 0) section.recovery = recovery_of(arm, section.trajectory);
     return section;
   }
-  remove_recovery(arm, trajectory);
   trajectory.positions.front() = section.trajectory.positions.back();
   Retimed timed = section;
   if (moves(trajectory)) {
@@ -224,15 +225,17 @@ Retimed retime(const Arm& arm, const Trajectory& recorded, const RetimeOptions& 
   given.profile = options.profile.value_or(default_profile);
   internal::check_options(options);
   internal::check_recover(options.recover);
-  const Trajectory trajectory = path_of(arm, recorded, options, given.unwrapped);
+  Trajectory trajectory = path_of(arm, recorded, options, given.unwrapped);
   check_moves(trajectory);
   given.reason = too_long(trajectory, options);
   if (!given) return given;
   internal::BudgetMeter budget(options.budget);
-  Retimed timed = internal::may_recover(internal::largest_excess(arm, trajectory.positions.front()),
-                                        options.recover)
-                      ? retimed_from_outside(arm, trajectory, options, budget)
-                      : retimed_positions(arm, trajectory, options, budget);
+  const double excess = internal::largest_excess(arm, trajectory.positions.front());
+  const bool recovers = internal::may_recover(excess, options.recover);
+  // Waypoints have no velocities, and each is a position of the path.
+  if (recovers && !trajectory.velocities.empty()) remove_recovery(arm, trajectory);
+  Retimed timed = recovers ? retimed_from_outside(arm, std::move(trajectory), options, budget)
+                           : retimed_positions(arm, trajectory, options, budget);
   timed.unwrapped = std::move(given.unwrapped);
   return timed;
 }

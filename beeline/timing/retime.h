@@ -44,8 +44,9 @@ struct RetimeOptions {
   bool no_unwrap = false;
   /// Largest excess of the first position over a position limit, 0 to 0.1 rad or m, from which the
   /// motion recovers: a first section leads straight, from rest to rest, to the nearest
-  /// configuration within the limits, where the path then begins. Further positions outside the
-  /// limits belong to this section if they are in order on the same straight line.
+  /// configuration within the limits, where the path then begins. Of a recording with
+  /// velocities, further positions outside the limits may follow that are in order on the same
+  /// straight line: the recording recovers itself.
   double recover = 0;
   Budget budget = {};
 };

@@ -1,4 +1,5 @@
 #include "bindings.h"
+#include "collision_fields.h"
 #include "interruption.h"
 #include "plane_poses.h"
 #include "program_fields.h"
@@ -8,6 +9,7 @@ namespace {
 
 Verification verified(const Arm& arm, const Trajectory& trajectory, nb::handle along,
                       const nb::kwargs& keywords) {
+  check_options_of(arm, keywords);
   auto asked = options<VerifyOptions>(keywords);
   if (along.is_none()) {
     return unlocked(asked.budget, [&] { return verify(arm, trajectory, asked); });

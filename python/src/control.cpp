@@ -1,4 +1,5 @@
 #include "bindings.h"
+#include "collision_fields.h"
 #include "control_fields.h"
 #include "interruption.h"
 #include "plane_poses.h"
@@ -64,6 +65,7 @@ void bind_cartesian_control(nb::module_& m) {
       [](const Arm& arm, nb::handle start, nb::handle waypoints, const nb::kwargs& keywords) {
         const Configuration from = configuration_from(start, "start");
         const std::vector<Pose> poses = PosePlane(arm).poses(waypoints, "waypoints");
+        check_options_of(arm, keywords);
         auto given = options<CartesianOptions, SimulationOptions>(keywords);
         CartesianOptions asked = std::get<0>(given);
         asked.simulation = std::get<1>(given);

@@ -212,7 +212,7 @@ void bind_inverse_kinematics(nb::module_& m) {
   add(many_signature(
       "inverse_kinematics",
       "For many poses: computes one solution for each, as batch_inverse() does; `all` "
-      "and `every_turn` are ignored. "
+      "raises Error, and `seed` is also (..., n), one for each pose. "
       "Which result it is follows from the shape of the poses; with `layout` or "
       "`threads` one pose too has this one."));
 
@@ -221,7 +221,7 @@ void bind_inverse_kinematics(nb::module_& m) {
              "batch_inverse",
              "Computes one solution for each of many poses, by all cores. It takes the keywords "
              "of inverse_kinematics(); `seed` is also (..., n), one for each pose, and without it "
-             "the default of `redundancy` is `any`; `all` and `every_turn` are ignored; the budget "
+             "the default of `redundancy` is `any`; `all` raises Error; the budget "
              "is for the whole batch."),
          nb::arg("arm"), nb::arg("world_T_tool"), nb::kw_only(), nb::arg("seed") = nb::none(),
          nb::arg("out") = nb::none(), nb::arg("options"));

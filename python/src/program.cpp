@@ -130,6 +130,7 @@ void bind_programs(nb::module_& m) {
          const nb::kwargs& keywords) {
         const auto begin = Value<std::optional<Configuration>>::from(start, "start");
         const auto* const model = Value<const CollisionModel*>::from(scene, "model");
+        check_options_of(arm, keywords);
         auto asked = options<PathMotionOptions>(keywords);
         return unlocked(asked.budget,
                         [&] { return move_program(arm, begin, moves, asked, model); });

@@ -147,7 +147,8 @@ void bind_field(nb::class_<T>& bound, const Field<T, M>& field) {
           if constexpr (
               requires(T & left) { Fields<T>::complete(left); } &&
               requires(const M& list) { list.empty(); }) {
-            if ((value->*member).empty()) return Value<M>::to(value->*member);  // may be filled yet
+            if ((value->*member).empty())
+              return Value<M>::to(value->*member);  // may be computed later
           }
           return kept(self, name, [&] { return Value<M>::to(value->*member); });
         },
@@ -260,7 +261,8 @@ void bind_state(nb::class_<T>& bound) {
       nb::sig("def __setstate__(self, state: tuple[object, ...], /) -> None"));
 }
 
-/// Adds what makes a struct of numbers a sequence of them, for tuple() and for numpy.
+/// Adds iteration over the members of a struct of numbers, and its conversion by numpy, to an array
+/// of its own.
 template <class T>
 void bind_numbers(nb::class_<T> bound) {
   bound.def(
@@ -268,7 +270,10 @@ void bind_numbers(nb::class_<T> bound) {
       nb::sig("def __iter__(self) -> typing.Iterator[float]"));
   bound.def(
       "__array__",
-      [](const T& self, nb::handle dtype, nb::handle) {
+      [](const T& self, nb::handle dtype, nb::handle copy) {
+        if (!copy.is_none() && !nb::cast<bool>(copy)) {
+          throw nb::value_error((std::string(Fields<T>::name) + " has no array to share").c_str());
+        }
         return nb::module_::import_("numpy").attr("array")(
             state_of(self), dtype.is_none() ? nb::object(nb::str("float64")) : nb::borrow(dtype));
       },

@@ -1,6 +1,7 @@
 #include <set>
 
 #include "bindings.h"
+#include "collision_fields.h"
 #include "loop_arguments.h"
 #include "loop_fields.h"
 
@@ -26,6 +27,7 @@ nb::class_<Described<Tracker>> tracker_class(nb::module_& m) {
       tracker,
       [](Described<Tracker>* self, const Arm& arm, nb::handle start, const nb::kwargs& keywords) {
         const Numbers from(start, "start");
+        check_options_of(arm, keywords);
         new (self) Described<Tracker>(described(arm.name(), keywords), arm, from,
                                       options<TrackerOptions>(keywords));
         self->plane.emplace(arm);

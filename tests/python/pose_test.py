@@ -153,7 +153,7 @@ def test_what_is_not_a_pose_is_refused(call, error, message):
         call()
 
 
-def test_orientations_are_sequences_of_numbers():
+def test_orientations_become_tuples_and_arrays():
     pose = beeline.make_pose([0, 0, 0], rpy=[0.1, 0.2, 0.3])
     quaternion, angles = beeline.quaternion(pose[:3, :3]), beeline.roll_pitch_yaw(pose[:3, :3])
     assert tuple(quaternion) == (quaternion.qw, quaternion.qx, quaternion.qy, quaternion.qz)

@@ -94,18 +94,21 @@ bool without_position_limits(const Arm& arm) {
   });
 }
 
-/// Adds the names of B in the order of A, if it has the same names in another order.
-void add_names(const Arm& a, const Arm& b, std::vector<ModelDifference>& found) {
+/// Adds that the joints that both arms have are called by the same names in another order.
+void add_names(const Arm& a, const Arm& b, const JointPairs& pairs,
+               std::vector<ModelDifference>& found) {
   std::vector<std::string> names_a, names_b;
-  for (const Joint& joint : a.joints()) names_a.push_back(joint.name);
-  for (const Joint& joint : b.joints()) names_b.push_back(joint.name);
-  const bool same_names =
-      std::is_permutation(names_a.begin(), names_a.end(), names_b.begin(), names_b.end());
+  for (const auto& [i, k] : pairs) {
+    names_a.push_back(a.joints()[i].name);
+    names_b.push_back(b.joints()[k].name);
+  }
+  const bool same_names = std::is_permutation(names_a.begin(), names_a.end(), names_b.begin());
   if (names_a == names_b || !same_names) return;
   const auto [left, right] = std::mismatch(names_a.begin(), names_a.end(), names_b.begin());
+  const auto place = static_cast<std::size_t>(left - names_a.begin());
   found.push_back(
       {.kind = DifferenceKind::name,
-       .joint = static_cast<int>(left - names_a.begin()),
+       .joint = static_cast<int>(pairs[place].first),
        .parameter = "name",
        .what = "the names are in another order: " + *left + " in A, " + *right + " in B"});
 }
@@ -173,7 +176,7 @@ std::vector<ModelDifference> other_differences(const Arm& a, const Arm& b, const
       add_limits(a, b, pair, comparison.gain[i], comparison.offset[i], found);
     }
   }
-  add_names(a, b, found);
+  add_names(a, b, pairs, found);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <beeline/inverse/analytic/pieper_solver.h>
+#include <beeline/inverse/numerical/bounds.h>
 #include <beeline/inverse/numerical/seed_table.h>
 #include <beeline/kinematics/jacobian.h>
 #include <beeline/math/decompositions.h>
@@ -119,17 +120,24 @@ bool rotates_about(const Chain& chain, const Vector3& axis) {
          distance <= special * size_of(axes_of(chain), chain.tool);
 }
 
-/// Whether coordinate k of seven moves in self-motions. One that stands still, or nearly, has the
-/// values that the pose determines: there are no solutions at others, and a grid misses them.
+/// Whether coordinate k of seven moves in self-motions. The pose determines the value of one that
+/// stands still, or nearly: a grid of values misses the solutions. Prismatic coordinates count in
+/// units of unit_of_length(), as radians.
 bool moves_in_self_motion(const Arm& arm, int k) {
   constexpr int trials = 8;
   constexpr double rounding = 1e-9;  // of singular values, relative
   constexpr double least = 0.05;     // part of a self-motion of unit length
+  const double unit = unit_of_length(arm);
   Splitmix random(1);
   Configuration q(7);
   for (int trial = 0; trial < trials; ++trial) {
     for (double& value : q) value = 2 * random.next() - 1;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(arm, q), Eigen::ComputeFullV);
+    Eigen::MatrixXd columns = jacobian(arm, q);
+    columns.topRows<3>() /= unit;
+    for (int i = 0; i < 7; ++i) {
+      if (kind(arm.joint_of(i)) == JointKind::prismatic) columns.col(i) *= unit;
+    }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeFullV);
     const auto& sigma = svd.singularValues();
     const auto rank = (sigma.array() > rounding * sigma[0]).count();
     if (svd.matrixV().row(k).tail(7 - rank).norm() > least) return true;

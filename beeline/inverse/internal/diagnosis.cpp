@@ -12,7 +12,6 @@
 #include <beeline/inverse/numerical/representative.h>
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/internal/joint_reason.h>
-#include <beeline/model/internal/periodic_coordinate.h>
 
 namespace beeline::internal {
 namespace {
@@ -199,14 +198,11 @@ std::optional<Configuration> nearest_configuration(SolverState& state, const Req
   return q;
 }
 
-/// Whether the equivalent of every configuration is within one turn of each joint, so that searches
-/// from many starts show that there is no solution. Helical joints, and joints with a mimic joint
-/// whose ratio is not an integer, have others in every turn.
+/// Whether searches from many starts show that there is no solution. Helical joints have other
+/// poses in every turn, and the searches often miss the right turn.
 bool is_searched_by_starts(const Arm& arm) {
-  for (int k = 0; k < arm.dof(); ++k) {
-    if (kind(arm.joint_of(k)) != JointKind::prismatic && !is_periodic(arm, k)) return false;
-  }
-  return true;
+  return std::none_of(arm.joints().begin(), arm.joints().end(),
+                      [](const Joint& joint) { return kind(joint) == JointKind::helical; });
 }
 
 /// Chooses the status for a request for which no solution is known, with or without limits.

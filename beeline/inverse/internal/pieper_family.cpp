@@ -56,7 +56,7 @@ std::optional<double> recovered_error(const PieperSolver& kept, const Arm& arm, 
 /// more than the closed form counts.
 bool is_singular_everywhere(const Arm& arm) {
   if (arm.dof() < 6) return false;
-  // Next to it, rounding hides solutions from the values of a locked joint.
+  // Of seven joints, the values of the locked one lose their solutions to rounding sooner.
   const double rounding = arm.dof() == 6 ? 1e-12 : 1e-6;
   Splitmix random(1);
   Configuration q(arm.dof());

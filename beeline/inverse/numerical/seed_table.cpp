@@ -68,8 +68,9 @@ void draw_configuration(const NumericalProblem& problem, double far, Splitmix& r
       const double travel = std::abs(problem.chain.links[link].d_per_q);
       const double ratio = std::abs(problem.chain.links[link].theta_per_q);
       if (travel > 0) away = std::max(away, std::min(2 * far / travel, max_angle));
-      // With a mimic joint whose ratio is not an integer, further turns differ from the first.
-      constexpr double turns = 4;
+      // With a mimic joint whose ratio is not an integer, further turns differ from the first; for
+      // a ratio in tenths the tenth turn is the first again.
+      constexpr double turns = 10;
       if (!coordinate.periodic && travel == 0 && ratio > 0) {
         away = std::max(away, std::min(turns * half_turn / std::min(ratio, 1.0), max_angle));
       }

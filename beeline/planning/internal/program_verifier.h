@@ -90,6 +90,7 @@ class ProgramVerifier {
   // In program_verifier_speeds.cpp:
   /// A time as a sample plus a fraction of the interval after it.
   using SampleTime = double;
+  /// When the tool is within tolerance of a waypoint.
   struct NearWaypoint {
     SampleTime begin = 0, end = 0;
   };
@@ -105,11 +106,11 @@ class ProgramVerifier {
                      double limit);
   bool fail_too_fast(std::size_t move, std::size_t k, double speed, double limit);
   double offset_at(const Pose& waypoint, SampleTime at) const;
-  SampleTime end_of_stay(const Pose& waypoint, SampleTime from, std::size_t limit) const;
-  NearWaypoint near_waypoint(const Pose& waypoint, std::size_t first, std::size_t nearest,
+  SampleTime end_of_neighbourhood(const Pose& waypoint, SampleTime from, SampleTime bound) const;
+  NearWaypoint near_waypoint(const Pose& waypoint, SampleTime first, std::size_t nearest,
                              std::size_t last) const;
-  std::optional<std::size_t> check_passing(std::size_t i, const Segment& segment, std::size_t from,
-                                           std::size_t reached, std::size_t end);
+  std::optional<SampleTime> check_passing(std::size_t i, std::size_t last, const Segment& segment,
+                                          SampleTime from, std::size_t reached, std::size_t end);
 
   // In program_verifier_joints.cpp:
   bool is_followed(const Segment& segment) const;

@@ -3,7 +3,6 @@
 #include <beeline/model/internal/joint_reason.h>
 #include <beeline/path/internal/nearest_on_line.h>
 #include <beeline/planning/internal/program_verifier.h>
-#include <beeline/trajectory/internal/append.h>
 
 namespace beeline::internal {
 namespace {

@@ -181,7 +181,7 @@ bool ProgramVerifier::check_section(const ProgramPart& part, const Route& route,
   const Verification found =
       verify(arm_, samples_between(trajectory_, begin, until), route, options);
   if (!add(found)) return false;
-  std::size_t from = speed_from();
+  auto from = static_cast<SampleTime>(speed_from());
   std::vector<std::size_t>& arrivals = now_.result.arrivals;
   for (std::size_t i = arrivals.size(); i <= move; ++i) {
     const std::size_t segment = part.last_segment(i);  // before `first` if the line has none left
@@ -189,18 +189,21 @@ bool ProgramVerifier::check_section(const ProgramPart& part, const Route& route,
     if (i == move && end.leaves) break;
     arrivals.push_back(reached);
     if (i == move || segment < first) {
-      if (!check_speed(i, from, reached, program_.moves[i].speed)) return false;
+      const auto end_of_move = static_cast<SampleTime>(reached);
+      if (!check_speed_between(i, from, end_of_move, program_.moves[i].speed)) return false;
       continue;
     }
     const std::size_t last_sample = begin + found.arrivals.back();
     const auto after =
-        check_passing(i, route.path.segments[segment - first], from, reached, last_sample);
+        check_passing(i, move, route.path.segments[segment - first], from, reached, last_sample);
     if (!after) return false;
     from = *after;
   }
   if (!end.leaves) return check_stop(move) && check_dwell(move);
+  const SampleTime sample = std::ceil(from);
+  if (!check_speed_between(move, from, sample, program_.moves[move].speed)) return false;
   now_.begin = end.sample;
-  now_.speed_from = from;
+  now_.speed_from = static_cast<std::size_t>(sample);
   now_.leaving = move;
   return true;
 }

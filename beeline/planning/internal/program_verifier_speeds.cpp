@@ -57,14 +57,17 @@ bool ProgramVerifier::check_speed(std::size_t move, std::size_t from, std::size_
 bool ProgramVerifier::check_speed(std::size_t move, std::size_t k, double from, double to,
                                   const std::optional<double>& limit) {
   if (!limit) return true;
-  const double speed = tool_speed_bound(arm_, part_of_interval(trajectory_, k, from, to));
-  return speed <= *limit * speed_rounding || fail_too_fast(move, k, speed, *limit);
+  const double largest = *limit * speed_rounding;
+  const Trajectory part = part_of_interval(trajectory_, k, from, to);
+  return tool_speed_bounds(arm_, part, {largest}).front() <= largest ||
+         fail_too_fast(move, k, tool_speed_bound(arm_, part), *limit);
 }
 
 /// The same from one time to another.
 bool ProgramVerifier::check_speed_between(std::size_t move, SampleTime from, SampleTime to,
                                           const std::optional<double>& limit) {
-  constexpr double shortest = 1e-6;  // of an interval: shorter parts belong to their neighbours
+  // Of an interval. The speed is continuous, so shorter parts have the speed of their neighbours.
+  constexpr double shortest = 1e-6;
   const auto check_part = [&](double k, double begin, double end) {
     return end - begin < shortest ||
            check_speed(move, static_cast<std::size_t>(k), begin - k, end - k, limit);
@@ -104,15 +107,17 @@ double ProgramVerifier::offset_at(const Pose& waypoint, SampleTime at) const {
   return rests_.offset(waypoint, forward_kinematics(arm_, state.position));
 }
 
-/// The time up to which the tool stays within tolerance of a waypoint where it is at `from`,
-/// forwards or backwards to sample `limit` at most.
-ProgramVerifier::SampleTime ProgramVerifier::end_of_stay(const Pose& waypoint, SampleTime from,
-                                                         std::size_t limit) const {
+/// Returns the time up to which the tool is within tolerance of a waypoint, from a time at which it
+/// is, forwards or backwards to `bound` at most. Looks at eight times in each interval.
+ProgramVerifier::SampleTime ProgramVerifier::end_of_neighbourhood(const Pose& waypoint,
+                                                                  SampleTime from,
+                                                                  SampleTime bound) const {
+  constexpr double steps = 8;
   constexpr int bisections = 30;
-  const auto bound = static_cast<double>(limit);
   double inside = from;
   while (inside != bound) {
-    double outside = inside < bound ? std::floor(inside) + 1 : std::ceil(inside) - 1;
+    double outside = inside < bound ? std::min((std::floor(inside * steps) + 1) / steps, bound)
+                                    : std::max((std::ceil(inside * steps) - 1) / steps, bound);
     if (offset_at(waypoint, outside) > 1) {
       for (int i = 0; i < bisections; ++i) {
         const double middle = (inside + outside) / 2;
@@ -125,41 +130,45 @@ ProgramVerifier::SampleTime ProgramVerifier::end_of_stay(const Pose& waypoint, S
   return bound;
 }
 
-/// The time between samples `first` and `last` in which the tool is within tolerance of a waypoint,
-/// which it passes near sample `nearest`.
-ProgramVerifier::NearWaypoint ProgramVerifier::near_waypoint(const Pose& waypoint,
-                                                             std::size_t first, std::size_t nearest,
+/// Returns the interval of sample times from `first` to sample `last` in which the tool is within
+/// tolerance of a waypoint that it passes near sample `nearest`; of length 0 if it never is.
+ProgramVerifier::NearWaypoint ProgramVerifier::near_waypoint(const Pose& waypoint, SampleTime first,
+                                                             std::size_t nearest,
                                                              std::size_t last) const {
-  constexpr int sections = 40;
-  const auto at_sample = static_cast<double>(nearest);
-  SampleTime passed = at_sample;
-  if (offset_at(waypoint, at_sample) > 1) {  // passed between two samples
-    passed = golden_section(std::max(static_cast<double>(first), at_sample - 1),
-                            std::min(static_cast<double>(last), at_sample + 1), sections,
-                            [&](double at) { return offset_at(waypoint, at); })
-                 .x;
+  constexpr int intervals = 16, sections = 40;
+  const auto end = static_cast<double>(last);
+  SampleTime passed = std::max(first, static_cast<double>(nearest));
+  if (offset_at(waypoint, passed) > 1) {  // passed between two samples
+    const double low = std::max(first, passed - 1), high = std::max(low, std::min(end, passed + 1));
+    passed = scan_and_refine(low, high, intervals, sections, [&](double at) {
+               return offset_at(waypoint, at);
+             }).x;
   }
-  return {end_of_stay(waypoint, passed, first), end_of_stay(waypoint, passed, last)};
+  return {end_of_neighbourhood(waypoint, passed, first),
+          end_of_neighbourhood(waypoint, passed, std::max(passed, end))};
 }
 
-/// Checks the speed of move i from sample `from` to `reached`, at the end of a segment which the
-/// tool passes to the next move; returns the sample from which that move's own limit holds. Within
-/// tolerance of the waypoint the larger of both limits does, as the time at which the next move
-/// begins is only known to the tolerance.
-std::optional<std::size_t> ProgramVerifier::check_passing(std::size_t i, const Segment& segment,
-                                                          std::size_t from, std::size_t reached,
-                                                          std::size_t end) {
-  const NearWaypoint near = near_waypoint(pose_at(segment, 1), from, reached, end);
-  const auto &limit = program_.moves[i].speed, &next = program_.moves[i + 1].speed;
-  const std::optional<double> larger =
-      limit && next ? std::optional(std::max(*limit, *next)) : std::nullopt;
-  const double after = std::ceil(near.end);
-  if (!check_speed_between(i, static_cast<double>(from), near.begin, limit) ||
-      !check_speed_between(i, near.begin, near.end, larger) ||
-      !check_speed_between(i + 1, near.end, after, next)) {
+/// Checks the speed of move i from a time to sample `reached`, at the end of a segment which the
+/// tool passes to the next move; returns the time from which that move's own limit holds. `last` is
+/// the move at whose end the tool stops. Within tolerance of the waypoint the largest limit of the
+/// moves that meet there holds, as the times at which they begin are only known to the tolerance.
+std::optional<ProgramVerifier::SampleTime> ProgramVerifier::check_passing(
+    std::size_t i, std::size_t last, const Segment& segment, SampleTime from, std::size_t reached,
+    std::size_t end) {
+  constexpr double neighbours = 2;  // tolerances between waypoints that the tool may pass at once
+  const Pose waypoint = pose_at(segment, 1);
+  std::optional<double> largest = program_.moves[i].speed;
+  for (std::size_t k = i + 1; k <= last; ++k) {
+    const std::optional<double>& next = program_.moves[k].speed;
+    largest = largest && next ? std::optional(std::max(*largest, *next)) : std::nullopt;
+    if (rests_.offset(waypoint, waypoint_of(arm_, program_.moves[k])) > neighbours) break;
+  }
+  const NearWaypoint near = near_waypoint(waypoint, from, reached, end);
+  if (!check_speed_between(i, from, near.begin, program_.moves[i].speed) ||
+      !check_speed_between(i, near.begin, near.end, largest)) {
     return {};
   }
-  return static_cast<std::size_t>(after);
+  return near.end;
 }
 
 }  // namespace beeline::internal

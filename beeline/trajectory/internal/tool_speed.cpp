@@ -14,7 +14,7 @@ constexpr double remainder_factor = 120.0 / 384;  // 5! / 384, of the fifth Tayl
 
 class SpeedBound {
  public:
-  SpeedBound(const Arm& arm, double known) : arm_(arm), largest_(known) {}
+  SpeedBound(const Arm& arm, double known) : arm_(arm), known_(known), largest_(known) {}
 
   /// Takes an interval of h seconds into account.
   void take(const std::vector<Polynomial>& coordinates, double h, int depth = 0) {
@@ -26,8 +26,10 @@ class SpeedBound {
     const double remainder = remainder_factor * tool_taylor_bound(arm_, coordinates).position.c[5];
     const double bound = (at_ends + remainder) / h;
     if (bound <= std::max(largest_, reached_)) return;
-    const bool tight =
-        at_ends + remainder <= (1 + small_remainder) * std::max(v0.norm(), v1.norm());
+    // Whether the speed exceeds a known bound is decided more precisely.
+    const bool is_undecided = known_ > 0 && reached_ <= known_;
+    const bool tight = !is_undecided && at_ends + remainder <=
+                                            (1 + small_remainder) * std::max(v0.norm(), v1.norm());
     if (tight || depth == max_depth) {
       largest_ = bound;
       return;
@@ -54,7 +56,7 @@ class SpeedBound {
   }
 
   const Arm& arm_;
-  double largest_, reached_ = 0;
+  double known_, largest_, reached_ = 0;
 };
 
 }  // namespace

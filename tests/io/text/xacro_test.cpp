@@ -42,7 +42,7 @@ std::string printing(const std::string& text) { return "/bin/cat <<'END'\n" + te
 
 /// Ends a script unless its arguments contain a text.
 std::string expecting(const std::string& text) {
-  return "case \"$*\" in *\"" + text + "\"*) ;; *) echo 'no package' >&2; exit 1 ;; esac\n";
+  return "case \"$*\" in *\"" + text + "\"*) ;; *) echo 'Package not found' >&2; exit 1 ;; esac\n";
 }
 
 TEST(Xacro, TheProgramsOutputIsTheFile) {
@@ -137,7 +137,7 @@ TEST(Xacro, PackagesOfIncludedFilesAreFoundByFoldersAndLinks) {
   ::unsetenv("ROS_PACKAGE_PATH");
 }
 
-TEST(Xacro, RunsInTheFoldersOfTheFile) {
+TEST(Xacro, RunsInTheFolderOfTheFile) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.xacro", macro);
   const Programs programs;

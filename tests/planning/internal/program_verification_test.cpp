@@ -262,44 +262,83 @@ TEST(VerifyProgram, RefusesPlantedFaults) {
   EXPECT_EQ(extra.fault, Fault::not_through) << extra.reason;
 }
 
-// However far apart the samples are, the larger limit of two moves holds at their waypoint alone.
-TEST(VerifyProgram, SpeedOfAMoveHoldsUpToAWaypointThatIsPassed) {
-  const Arm arm = built_in("gantry");
-  const auto motion = [&](int n) {  // 2 m in 6 s, 1 m/s^2 at most
-    Trajectory along{arm.joint_names(), {}, {}, {}, {}};
-    for (int k = 0; k <= n; ++k) {
-      const double s = double(k) / n, x = 2 * s * s * s * (10 - 15 * s + 6 * s * s);
-      along.times.push_back(6 * s);
-      along.positions.push_back(Configuration{{x, 0}});
-      along.velocities.push_back(Configuration{{10 * s * s * (1 - s) * (1 - s), 0}});
-    }
-    return along;
-  };
+/// A gantry's motion along x by `distance` in `duration` seconds from rest to rest, and its program
+/// of splines to these places.
+Trajectory along_x(const Arm& arm, double distance, double duration, int n) {
+  Trajectory along{arm.joint_names(), {}, {}, {}, {}};
+  for (int k = 0; k <= n; ++k) {
+    const double s = double(k) / n, rate = 30 * s * s * (1 - s) * (1 - s);
+    along.times.push_back(duration * s);
+    along.positions.push_back(Configuration{{distance * s * s * s * (10 - 15 * s + 6 * s * s), 0}});
+    along.velocities.push_back(Configuration{{distance / duration * rate, 0}});
+  }
+  return along;
+}
+
+Program splines_to(const std::vector<double>& places) {
   Program program;
-  for (const double x : {1, 2}) {
+  for (const double x : places) {
     program.moves.push_back({.kind = MoveKind::spline, .target = make_pose({x, 0, 0})});
   }
-  Move &first = program.moves[0], &second = program.moves[1];
+  return program;
+}
+
+VerifyOptions positions_to(double tolerance) {
   VerifyOptions options;
   options.task = Task::position();
-  options.tolerance = 1e-3;
+  options.tolerance = tolerance;
+  return options;
+}
+
+// The larger limit of two moves holds within tolerance of their waypoint alone, also between
+// samples.
+TEST(VerifyProgram, SpeedOfAMoveHoldsUpToAWaypointThatIsPassed) {
+  const Arm arm = built_in("gantry");
   constexpr double slow = 0.05, enough = 0.7;
-  for (const int n : {2, 4, 32, 1000}) {
-    const Trajectory along = motion(n);
-    for (const std::optional<double> other : {std::optional<double>(), std::optional(0.9)}) {
-      first.speed = slow;
-      second.speed = other;
-      const Verification early = verify(arm, along, program, options);
-      EXPECT_EQ(early.fault, Fault::tool_speed) << n << early.reason;
-      EXPECT_EQ(testing::field<std::size_t>(early.reason, ReasonField::move), 1U);
-      first.speed = other;
-      second.speed = slow;
-      const Verification late = verify(arm, along, program, options);
-      EXPECT_EQ(late.fault, Fault::tool_speed) << n << late.reason;
-      EXPECT_EQ(testing::field<std::size_t>(late.reason, ReasonField::move), 2U);
+  for (const double place : {1.0, 0.7, 1.13}) {
+    Program program = splines_to({place, 2});
+    Move &first = program.moves[0], &second = program.moves[1];
+    for (const int n : {3, 4, 5, 33, 1000}) {
+      const Trajectory along = along_x(arm, 2, 6, n);
+      for (const std::optional<double> other : {std::optional<double>(), std::optional(0.9)}) {
+        first.speed = slow;
+        second.speed = other;
+        const Verification early = verify(arm, along, program, positions_to(1e-3));
+        EXPECT_EQ(early.fault, Fault::tool_speed) << n << early.reason;
+        EXPECT_EQ(testing::field<std::size_t>(early.reason, ReasonField::move), 1U);
+        first.speed = other;
+        second.speed = slow;
+        const Verification late = verify(arm, along, program, positions_to(1e-3));
+        EXPECT_EQ(late.fault, Fault::tool_speed) << n << late.reason;
+        EXPECT_EQ(testing::field<std::size_t>(late.reason, ReasonField::move), 2U);
+      }
+      first.speed = second.speed = enough;
+      const Verification passed = verify(arm, along, program, positions_to(1e-3));
+      EXPECT_TRUE(passed) << n << passed.reason;
     }
-    first.speed = second.speed = enough;
-    EXPECT_TRUE(verify(arm, along, program, options)) << n;
+  }
+}
+
+// Two waypoints in one interval: the middle move has a part of it.
+TEST(VerifyProgram, SpeedOfEachMoveHoldsBetweenWaypointsOfOneInterval) {
+  const Arm arm = built_in("gantry");
+  const Program places = splines_to({0.9, 1.1, 2});
+  const auto found = [&](double before, double between, double after, int n) {
+    Program program = places;
+    program.moves[0].speed = before;
+    program.moves[1].speed = between;
+    program.moves[2].speed = after;
+    return verify(arm, along_x(arm, 2, 6, n), program, positions_to(1e-3));
+  };
+  constexpr double enough = 0.7, slow = 0.3;
+  for (const int n : {3, 5, 100}) {
+    EXPECT_TRUE(found(enough, enough, enough, n)) << n << found(enough, enough, enough, n).reason;
+    EXPECT_EQ(testing::field<std::size_t>(found(slow, enough, enough, n).reason, ReasonField::move),
+              1U);
+    EXPECT_EQ(testing::field<std::size_t>(found(enough, slow, enough, n).reason, ReasonField::move),
+              2U);
+    EXPECT_EQ(testing::field<std::size_t>(found(enough, enough, slow, n).reason, ReasonField::move),
+              3U);
   }
 }
 

@@ -35,7 +35,7 @@ Shape hull_of_corners(std::vector<Vector3> corners, const std::string& path) {
           .hull_of = with_escaped_bytes(path)};
 }
 
-std::string MeshHulls::find(const std::string& filename) const {
+std::string MeshHulls::find(const std::string& filename) {
   const std::string ending = extension(filename);
   const std::vector<std::string>& known = mesh_endings();
   if (std::find(known.begin(), known.end(), ending) == known.end()) {
@@ -45,7 +45,7 @@ std::string MeshHulls::find(const std::string& filename) const {
         "; convert it, or give its hull as \"convex_hull\" in the \"shapes\" of an arm file "
         "or a scene");
   }
-  const MeshPlaces places = mesh_places(filename, path_, package_);
+  const MeshPlaces places = mesh_places(filename, path_, packages_);
   for (const std::string& path : places.paths) {
     std::error_code missing;
     if (std::filesystem::is_regular_file(path, missing)) return path;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <beeline/collision/scene.h>
+#include <beeline/io/text/internal/package_folder.h>
 
 namespace beeline::internal {
 
@@ -16,9 +17,9 @@ Shape hull_of_corners(std::vector<Vector3> corners, const std::string& path);
 /// Reads the meshes that a file names, as their convex hulls. Each file is read once.
 class MeshHulls {
  public:
-  /// Both arguments must outlive this object. `package`: folders of packages, by name.
+  /// `path` must outlive this object. `package`: folders of packages, by name.
   MeshHulls(const std::string& path, const std::map<std::string, std::string>& package)
-      : path_(path), package_(package) {}
+      : path_(path), packages_(path, package) {}
 
   /// Returns hull_of_corners() of the mesh that `filename` names (mesh_places()), its coordinates
   /// multiplied by `scale`, with the bound of their rounding added to its padding. Throws Error for
@@ -28,10 +29,10 @@ class MeshHulls {
 
  private:
   /// Returns the path of the mesh.
-  std::string find(const std::string& filename) const;
+  std::string find(const std::string& filename);
 
   const std::string& path_;
-  const std::map<std::string, std::string>& package_;
+  PackageFolders packages_;
   std::map<std::pair<std::string, std::vector<double>>, Shape> hulls_;  ///< by path and scale
 };
 

@@ -4,7 +4,6 @@
 #include <beeline/error.h>
 #include <beeline/io/text/internal/mesh_path.h>
 #include <beeline/io/text/internal/name.h>
-#include <beeline/io/text/internal/package_folder.h>
 
 namespace beeline::internal {
 namespace {
@@ -21,7 +20,7 @@ bool take_scheme(std::string& text, const std::string& scheme) {
 }  // namespace
 
 MeshPlaces mesh_places(const std::string& filename, const std::string& urdf_path,
-                       const std::map<std::string, std::string>& package) {
+                       PackageFolders& packages) {
   std::string rest = filename;
   MeshPlaces places;
   const auto add = [&places](const Path& at) {
@@ -37,11 +36,7 @@ MeshPlaces mesh_places(const std::string& filename, const std::string& urdf_path
       throw Error(in_quotes(filename) + " must be package://NAME/PATH");
     }
     const std::string inside = rest.substr(slash + 1);
-    const auto given = package.find(places.package);
-    const std::vector<Path> folders = given != package.end()
-                                          ? std::vector<Path>{given->second}
-                                          : package_folders(places.package, urdf_path);
-    for (const Path& folder : folders) add(folder / inside);
+    for (const Path& folder : packages.of(places.package)) add(folder / inside);
     return places;
   }
   take_scheme(rest, "file://");

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
+
+#include <beeline/io/text/internal/package_folder.h>
 
 namespace beeline::internal {
 
@@ -13,12 +14,11 @@ struct MeshPlaces {
 };
 
 /// Returns where to look for a mesh that a URDF file names. `filename` is
-///   - package://NAME/PATH, also model://NAME/PATH: in the folder `package` gives for NAME or, if
-///     it has none, in package_folders()
+///   - package://NAME/PATH, also model://NAME/PATH: in a folder of the package
 ///   - file://PATH
 ///   - a path, relative to the folder of the URDF file.
 /// Throws Error for another scheme, and for a text without a path.
 MeshPlaces mesh_places(const std::string& filename, const std::string& urdf_path,
-                       const std::map<std::string, std::string>& package);
+                       PackageFolders& packages);
 
 }  // namespace beeline::internal

@@ -39,9 +39,14 @@ MjcfDefaults::MjcfDefaults(const MjcfDocument& document) : document_(&document) 
 void MjcfDefaults::keep_main(const XMLElement& next) {
   constexpr int max_copies = 100;
   const auto is_inside_main = [](const Class& of_file) { return of_file.around == main_class; };
-  if (std::none_of(classes_.begin(), classes_.end(), is_inside_main)) return;
+  const std::vector<const XMLElement*> children = document_->children(next);
+  const bool changes_main = std::any_of(children.begin(), children.end(), [](const XMLElement* at) {
+    return std::string_view(at->Name()) != "default";
+  });
+  if (!changes_main || std::none_of(classes_.begin(), classes_.end(), is_inside_main)) return;
   if (++copies_ > max_copies) {
-    reader_of(next).refuse(next.GetLineNum(), "has more than 100 <default> with classes");
+    reader_of(next).refuse(next.GetLineNum(),
+                           "the class main is changed more than 100 times after other classes");
   }
   const std::size_t copy = classes_.size();
   classes_.push_back({"", std::nullopt, classes_[main_class].elements});
@@ -61,7 +66,7 @@ void MjcfDefaults::read(const XMLElement& element, std::size_t own, int depth) {
   for (const XMLElement* at : document_->children(element)) {
     if (std::string_view(at->Name()) != "default") continue;
     const std::string name = reader_of(*at).needed_name(*at, "class");
-    if (depth == max_class_depth || classes_.size() == max_classes) {
+    if (depth == max_class_depth || classes_.size() >= max_classes) {
       reader.refuse(at->GetLineNum(), depth == max_class_depth
                                           ? "classes of defaults are nested deeper than 20"
                                           : "has more than 10000 classes of defaults");

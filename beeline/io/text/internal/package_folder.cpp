@@ -12,14 +12,17 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// The folders of a variable of the environment, separated by colons.
+/// The folders of a variable of the environment, separated by colons, as absolute paths.
 std::vector<std::string> folders_of(const char* variable) {
   const char* const value = std::getenv(variable);
   std::vector<std::string> folders;
   std::string rest = value == nullptr ? "" : value;
   while (!rest.empty()) {
     const std::size_t colon = std::min(rest.find(':'), rest.size());
-    if (colon > 0) folders.push_back(rest.substr(0, colon));
+    std::error_code unknown;
+    if (colon > 0) {
+      folders.push_back(std::filesystem::absolute(rest.substr(0, colon), unknown).string());
+    }
     rest.erase(0, colon + 1);
   }
   return folders;
@@ -44,7 +47,7 @@ bool is_folder(const Path& path) {
 
 /// The name in a folder's package.xml; empty if it has none that can be read.
 std::string declared_name(const Path& folder) {
-  constexpr std::uintmax_t largest = std::uintmax_t{1} << 16;
+  constexpr std::uintmax_t largest = std::uintmax_t{1} << 14;
   const Path path = folder / "package.xml";
   std::error_code missing;
   if (!std::filesystem::is_regular_file(path, missing)) return "";
@@ -59,17 +62,23 @@ std::string declared_name(const Path& folder) {
   }
   const tinyxml2::XMLElement* const package = document.FirstChildElement("package");
   const tinyxml2::XMLElement* const name = package ? package->FirstChildElement("name") : nullptr;
-  const char* const text = name ? name->GetText() : nullptr;
-  return text ? text : "";
+  const std::string text = name && name->GetText() ? name->GetText() : "";
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string::npos ? ""
+                                    : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
 }
 
-/// The folders in a folder, at most 1,000.
+/// The folders in a folder, at most 200. A workspace has fewer packages; /tmp may have more.
 std::vector<Path> folders_in(const Path& folder) {
-  constexpr int most = 1000;
+  constexpr std::size_t most = 200;
+  constexpr int most_entries = 10'000;
   std::vector<Path> found;
   std::error_code fault;
   std::filesystem::directory_iterator at(folder, fault);
-  for (int i = 0; i < most && !fault && at != std::filesystem::directory_iterator(); ++i) {
+  for (int i = 0; i < most_entries && found.size() < most && !fault &&
+                  at != std::filesystem::directory_iterator();
+       ++i) {
     if (is_folder(at->path())) found.push_back(at->path());
     at.increment(fault);
   }
@@ -118,6 +127,18 @@ std::vector<Path> package_folders(const std::string& name, const std::string& pa
   return declared;
 }
 
+PackageFolders::PackageFolders(const std::string& path,
+                               const std::map<std::string, std::string>& given)
+    : path_(path) {
+  for (const auto& [name, folder] : given) folders_[name] = {folder};
+}
+
+const std::vector<Path>& PackageFolders::of(const std::string& name) {
+  const auto found = folders_.find(name);
+  if (found != folders_.end()) return found->second;
+  return folders_.emplace(name, package_folders(name, path_)).first->second;
+}
+
 std::vector<std::string> names_of_folders(const std::string& path) {
   constexpr std::size_t most_above = 6, most = 100;
   std::vector<std::string> names;
@@ -125,6 +146,7 @@ std::vector<std::string> names_of_folders(const std::string& path) {
   above.resize(std::min(above.size(), most_above));
   for (const Path& folder : above) names.push_back(folder.filename().string());
   for (const std::string& packages : folders_of("ROS_PACKAGE_PATH")) {
+    names.push_back(Path(packages).filename().string());
     for (const Path& folder : folders_in(packages)) {
       if (names.size() < most) names.push_back(folder.filename().string());
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,25 @@ namespace beeline::internal {
 ///   - share/`name` of each folder of AMENT_PREFIX_PATH
 ///   - the folders above the file, from below, that are called `name` or contain `name`
 ///   - if none of these exists, the folders with a package.xml of that name: those above the file,
-///     and those in folder_around_package(), at most 1,000.
+///     and at most 200 in folder_around_package().
 std::vector<std::filesystem::path> package_folders(const std::string& name,
                                                    const std::string& path);
 
-/// Returns the names of the lowest six folders above a file, and of the folders that the folders of
-/// ROS_PACKAGE_PATH contain, at most 100.
+/// The folders of the packages that one file names. Each package is looked for once.
+class PackageFolders {
+ public:
+  /// `path`: the file; `given`: folders of packages, by name, which are not looked for.
+  PackageFolders(const std::string& path, const std::map<std::string, std::string>& given);
+
+  const std::vector<std::filesystem::path>& of(const std::string& name);
+
+ private:
+  std::string path_;
+  std::map<std::string, std::vector<std::filesystem::path>> folders_;  ///< by name
+};
+
+/// Returns the names of the lowest six folders above a file, of the folders of ROS_PACKAGE_PATH,
+/// and of up to 100 folders in them.
 std::vector<std::string> names_of_folders(const std::string& path);
 
 /// Returns the folder that contains the package of a file: the folder beside package.xml's. Empty

@@ -92,7 +92,9 @@ std::vector<std::string> package_options(std::string_view text, const std::strin
 }
 
 /// Whether a message of xacro or xacrodoc says that it does not find a package.
-bool is_about_packages(std::string_view message) { return contains(message, "ackage"); }
+bool is_about_packages(std::string_view message) {
+  return contains(message, "ackage") && contains(message, "not found");
+}
 
 /// Refuses a file that its program could not expand.
 [[noreturn]] void refuse_output(const std::string& path, const std::string& program,
