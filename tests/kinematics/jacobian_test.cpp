@@ -228,7 +228,7 @@ TEST(Frame, HasANameThatReadsBack) {
   for (const Frame frame : frames) EXPECT_EQ(frame_named(name(frame)), frame);
   EXPECT_REFUSED(frame_named("tol"), "unknown frame \"tol\"; did you mean \"tool\"?");
   EXPECT_REFUSED(frame_named(""), "known: base, tool, space");
-  EXPECT_REFUSED(frame_named("world"), "base and space have the world's axes");
+  EXPECT_REFUSED(frame_named("world"), "tool are the velocity of the tool's origin");
 }
 
 }  // namespace
