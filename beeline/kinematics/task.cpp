@@ -79,10 +79,8 @@ Task task_named(std::string_view text) {
 
 Task task_named(std::string_view text, const Arm& arm) {
   const Task task = task_named(text);
-  const std::string_view mask = text.substr(0, text.find(':'));
-  const bool planar_mask =
-      mask.find_first_not_of("01") == std::string_view::npos && mask.size() == 3;
-  if (!planar_mask || arm.planar()) return task;
+  const bool is_planar_mask = text.substr(0, text.find(':')).size() == 3;  // no name is so short
+  if (!is_planar_mask || arm.planar()) return task;
   throw Error("the mask \"" + std::string(text) + "\" of x, y and theta is for planar arms; arm " +
               arm.name() +
               " is not planar: write position for x, y, z, or six of 0 and 1 for x y z "

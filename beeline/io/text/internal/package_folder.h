@@ -33,8 +33,7 @@ class PackageFolders {
 /// and of up to 100 folders in them.
 std::vector<std::string> names_of_folders(const std::string& path);
 
-/// Returns the folder that contains the package of a file: the folder beside package.xml's. Empty
-/// if no folder above the file has a package.xml.
+/// Returns the parent of the lowest folder above a file that has a package.xml; empty if none has.
 std::filesystem::path folder_around_package(const std::string& path);
 
 }  // namespace beeline::internal
