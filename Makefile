@@ -133,7 +133,7 @@ test-all: test test-reasons test-peers test-web wheel
 web:
 	@scripts/install_packages.sh build web
 	@scripts/web_sources.sh build-web-core/sources
-	@cmake --preset web $(strict) -DBEELINE_WEB_LINK=$(BEELINE_WEB_LINK) >/dev/null
+	@cmake --preset web $(strict) -DBEELINE_WEB_QUICK=$(BEELINE_WEB_QUICK) >/dev/null
 	@cmake --build --preset web --parallel $(JOBS)
 	@scripts/web.sh build-web-core/web build/web
 

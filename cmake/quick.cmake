@@ -8,14 +8,15 @@ add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=500000>)
 # a target of -O2 is compiled with BEELINE_SANITIZER_OPTIONS: -O0 takes two thirds of the time. Kernels need -O1 or more then
 # (BEELINE_KERNEL_OPTIONS): without inlining, their vectors are passed in two ways.
 set(BEELINE_SANITIZER_OPTIONS "" CACHE STRING "Further options for what is not compiled with -O3, under a sanitizer")
+option(BEELINE_WEB_QUICK "Optimise the page's modules less: built in two thirds of the time, twice as large" OFF)
 function(beeline_optimise target level)
   if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O3")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level}>)
   endif()
   if(level STREQUAL "-O2")
     target_compile_options(${target} PRIVATE ${BEELINE_SANITIZER_OPTIONS})
-    if(EMSCRIPTEN)  # a smaller page, and compiled in three quarters of the time
-      target_compile_options(${target} PRIVATE -Os)
+    if(EMSCRIPTEN)  # -Os: a smaller page, and compiled in three quarters of the time
+      target_compile_options(${target} PRIVATE $<IF:$<BOOL:${BEELINE_WEB_QUICK}>,-O0,-Os>)
     endif()
   endif()
 endfunction()
@@ -39,6 +40,8 @@ function(beeline_group target)
   set(kernel_options ${BEELINE_KERNEL_OPTIONS})
   if(CMAKE_CXX_FLAGS_RELEASE MATCHES "-O3")
     list(APPEND kernel_options $<$<CONFIG:Release>:-O3>)  # behind the -O2 of beeline_optimise
+  elseif(BEELINE_WEB_QUICK)
+    list(APPEND kernel_options -O2)
   endif()
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)

@@ -115,8 +115,8 @@ TEST(BaseContact, OfRandomScenesIsBlockedWhereItsCubeIs) {
       EXPECT_EQ(testing::field<std::size_t>(of_cloud, ReasonField::point), 1U);
     }
   }
-  EXPECT_GT(free, 10);
-  EXPECT_GT(blocked, 10);
+  EXPECT_GT(free, testing::cases(2000) / 60);
+  EXPECT_GT(blocked, testing::cases(2000) / 60);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(PairsApart, NeverComeCloserWithinTheLimits) {
       EXPECT_EQ(pairs_too_close(model, q).size(), pairs_too_close(all, q).size());
     }
   }
-  EXPECT_GT(found, 20);
+  EXPECT_GT(found, static_cast<std::size_t>(testing::cases(60)));
 }
 
 TEST(PairsApart, CountOutsideTheLimits) {

@@ -55,6 +55,64 @@ TEST(Separation, BoundsTheDistanceFromBothSides) {
   RecordProperty("largest_gap_between_bounds", std::to_string(worst));
 }
 
+// Bodies that move step by step: a search that begins with the last one, and ends at a tolerance.
+TEST(Separation, MayBeginWithTheLastSearch) {
+  Random random;
+  constexpr double tolerance = 1e-10;
+  int apart = 0, near = 0;
+  for_random_pairs(random, 30, [&](const Shape& a, const Shape& b) {
+    Shape moving = a;
+    SearchStart start;
+    for (int step = 0; step < 5; ++step) {
+      const double size = step == 3 ? 1 : 1e-3;  // once, it jumps
+      moving.pose = moving.pose * make_pose(random.vector(size), random.rotation(size));
+      const ConvexBody first = convex_body(moving), second = convex_body(b);
+      const Vector3 guess = second.centre - first.centre;
+      const Separation exact = separation(first, second, guess);
+      const Separation found = separation(first, second, guess, tolerance, &start);
+      const double rounding = 1e-13 * (first.bound + std::min(second.bound, 1e3) + guess.norm());
+      ASSERT_LE(found.lower, exact.upper) << described(a, b);
+      ASSERT_GE(found.upper + rounding, exact.lower) << described(a, b);
+      EXPECT_LE(testing::distance_outside(moving, found.points.on_a, random), 10 * rounding)
+          << described(a, b);
+      EXPECT_LE(testing::distance_outside(b, found.points.on_b, random), 10 * rounding)
+          << described(a, b);
+      if (exact.lower <= 0) continue;
+      ++apart;
+      near += exact.lower - found.lower <= 2 * tolerance + rounding;
+      EXPECT_LE(exact.lower - found.lower, 1e-6) << described(a, b);
+    }
+  });
+  EXPECT_GT(near, 0.999 * apart);
+}
+
+// The points of a search are not rounded again in each of the next ones.
+TEST(Separation, OfManySearchesInARowStaysABound) {
+  Random random;
+  const Vector3 away(0.4, 0.1, 0);
+  for (int kind = 0; kind < testing::shape_kinds; ++kind) {
+    Shape moving = testing::random_shape(random, testing::place_of<ConvexHull>(), 0.2, 0.01);
+    if (kind == testing::place_of<HalfSpace>()) continue;
+    Shape still = testing::random_shape(random, kind, 0.2, 0.01);
+    still.pose.translation() += away;
+    const Pose start = moving.pose;
+    SearchStart last;
+    for (int step = 0; step < testing::cases(60'000); ++step) {
+      const double angle = 1e-3 * step;
+      moving.pose = make_pose(0.05 * Vector3(std::cos(angle), std::sin(angle), 0)) * start *
+                    make_pose(Vector3::Zero(), so3_exp(Vector3(0.1 * std::sin(angle), 0, angle)));
+      const ConvexBody first = convex_body(moving), second = convex_body(still);
+      const Separation found = separation(first, second, away, 1e-10, &last);
+      ASSERT_LE(found.lower, found.upper) << described(moving, still) << step;
+      if (step % 100 != 99) continue;
+      const Separation exact = separation(first, second, away);
+      ASSERT_GE(found.upper, exact.lower) << described(moving, still) << step;
+      ASSERT_LE(found.lower, exact.upper) << described(moving, still) << step;
+      EXPECT_LE(exact.lower - found.lower, 2e-10) << described(moving, still) << step;
+    }
+  }
+}
+
 TEST(Separation, AgreesWithAlternatingProjections) {
   Random random;
   for_random_pairs(random, 20, [&](const Shape& a, const Shape& b) {

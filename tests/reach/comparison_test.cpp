@@ -1,7 +1,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include <beeline/draw/timing_figure.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/surface.h>
 
@@ -99,16 +98,6 @@ TEST(ReachComparison, RefusesMapsThatCannotBeCompared) {
   const ReachCells cells = reach_cells(arm, grid, 0, grid.positions(), {.samples = 1000});
   const ReachMap sampled({.arm = arm, .grid = grid, .samples = 1000}, cells);
   EXPECT_REFUSED(compare_reach(directions, sampled), "one map is by sampling");
-}
-
-TEST(ReachComparison, RefusesPicturesOfSlicesThatDiffer) {
-  const ReachMap map = map_of(built_in("ur5"), {.resolution = 0.4});
-  const auto picture = [&](double at, ReachMeasure measure) {
-    return reach_figure(std::array{slice_of(map, 2, 0), slice_of(map, 2, at, measure)});
-  };
-  EXPECT_EQ(picture(0, ReachMeasure::directions).columns.size(), 3u);
-  EXPECT_REFUSED(picture(0.4, ReachMeasure::directions), "z = 0.4 m");
-  EXPECT_REFUSED(picture(0, ReachMeasure::margin), "largest margin");
 }
 
 }  // namespace

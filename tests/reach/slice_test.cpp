@@ -4,8 +4,6 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-#include <beeline/draw/figure.h>
-#include <beeline/draw/timing_figure.h>
 #include <beeline/model/catalog.h>
 #include <beeline/reach/surface.h>
 
@@ -48,21 +46,6 @@ TEST(ReachSlice, HasTheBestOfEachPosition) {
   }
   EXPECT_GT(reached, 50);
   EXPECT_REFUSED(slice_of(map, 2, 3, ReachMeasure::margin), "z = 3 is outside the map");
-}
-
-TEST(ReachSlice, IsDrawnWithTheArmAndAScale) {
-  const ReachMap map = map_of_puma();
-  for (const ReachMeasure measure : {ReachMeasure::directions, ReachMeasure::branches}) {
-    const Figure figure = reach_figure(slice_of(map, 2, 0.2, measure));
-    const std::string svg = render(figure, Format::svg);
-    EXPECT_NE(svg.find("puma560"), std::string::npos);
-    EXPECT_NE(svg.find("z = 0.2 m"), std::string::npos);
-    std::size_t tiles = 0;
-    for (const Item& item : figure.columns[0][0].drawing.items) {
-      if (const auto* of_shade = std::get_if<Tiles>(&item.shape)) tiles += of_shade->tiles.size();
-    }
-    EXPECT_GT(tiles, 5);
-  }
 }
 
 TEST(VtiFile, HasThePositionsWithXTheFastest) {

@@ -25,15 +25,54 @@ struct FoundSimplex {
   Vector3 direction = Vector3::Zero();  ///< zero: none was tried
 };
 
+Vector3 from_body(const ConvexBody& body, const Vector3& point) {
+  return body.origin + body.axes * point;
+}
+
+Vector3 to_body(const ConvexBody& body, const Vector3& point) {
+  return body.axes.transpose() * (point - body.origin);
+}
+
+/// Returns the simplex of the last search at the current poses of the bodies.
+Simplex started_simplex(const SearchStart& start, const ConvexBody& a, const ConvexBody& b) {
+  Simplex simplex;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(start.count); ++i) {
+    const Vector3 on_a = from_body(a, start.on_a[i]), on_b = from_body(b, start.on_b[i]);
+    simplex.add({on_a - on_b, on_a, on_b});
+  }
+  return simplex;
+}
+
+/// Makes the simplex that was found the next start. A point of the last start keeps its
+/// coordinates: computed in each search from the world's, it would leave its body.
+void store(const Simplex& found, const ConvexBody& a, const ConvexBody& b, SearchStart& start) {
+  const SearchStart last = start;
+  const bool is_usable = found.size() < 4 && found.nearest().allFinite();
+  start.count = is_usable ? found.size() : 0;
+  for (int i = 0; i < start.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    start.on_a[k] = to_body(a, found.of_a(i));
+    start.on_b[k] = to_body(b, found.of_b(i));
+    for (std::size_t j = 0; j < static_cast<std::size_t>(last.count); ++j) {
+      if (from_body(a, last.on_a[j]) == found.of_a(i)) start.on_a[k] = last.on_a[j];
+      if (from_body(b, last.on_b[j]) == found.of_b(i)) start.on_b[k] = last.on_b[j];
+    }
+  }
+}
+
 /// Ends early where `is_enough`, called with a lower and an upper bound of the distance, is true.
 template <class IsEnough>
-FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& guess,
-                    const IsEnough& is_enough) {
+FoundSimplex search_until(const IsEnough& is_enough, const ConvexBody& a, const ConvexBody& b,
+                          const Vector3& guess, SearchStart* start = nullptr) {
   constexpr int max_steps = 128;
   constexpr double relative = 1e-13, of_size = 1e-15;
   const double size = a.bound + b.bound + (a.centre - b.centre).norm();
   Simplex simplex;
-  simplex.add(difference_support(a, b, guess));
+  if (start != nullptr && start->count > 0) {
+    simplex = started_simplex(*start, a, b);
+  } else {
+    simplex.add(difference_support(a, b, guess));
+  }
   simplex.reduce();
   FoundSimplex best{simplex};
   Vector3 nearest = simplex.nearest();
@@ -60,11 +99,16 @@ FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& gue
     nearest = simplex.nearest();
     best.simplex = simplex;
   }
+  if (start != nullptr) store(best.simplex, a, b, *start);
   return best;
 }
 
-FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
-  return search(a, b, guess, [](double, double) { return false; });
+FoundSimplex search(const ConvexBody& a, const ConvexBody& b, const Vector3& guess,
+                    double tolerance, SearchStart* start = nullptr) {
+  const auto is_enough = [tolerance](double lower, double upper) {
+    return upper - lower <= tolerance;
+  };
+  return search_until(is_enough, a, b, guess, start);
 }
 
 /// The nearest points of two cores, and the direction between them if they are apart.
@@ -75,7 +119,8 @@ struct CorePoints {
       : on_a(a), on_b(b), direction((b - a).normalized()) {}
 };
 
-CorePoints core_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
+CorePoints core_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess,
+                       double tolerance, SearchStart* start) {
   if (a.core == Core::point && has_projection(b.core)) {
     return {a.origin, projection_on_core(b, a.origin)};
   }
@@ -86,7 +131,7 @@ CorePoints core_points(const ConvexBody& a, const ConvexBody& b, const Vector3& 
     const SegmentPoints points = nearest_on_segments(capsule_around(a), capsule_around(b));
     return {points.on_a, points.on_b};
   }
-  const FoundSimplex found = search(a, b, guess);
+  const FoundSimplex found = search(a, b, guess, tolerance, start);
   CorePoints points(found.simplex.on_a(), found.simplex.on_b());
   if (!found.direction.isZero(0)) points.direction = found.direction;
   return points;
@@ -133,9 +178,10 @@ NearestPoints nearest_to_half_space(const ConvexBody& a, const ConvexBody& b) {
 
 }  // namespace
 
-NearestPoints nearest_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
+NearestPoints nearest_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess,
+                             double tolerance, SearchStart* start) {
   if (b.core == Core::half_space) return nearest_to_half_space(a, b);
-  const CorePoints core = core_points(a, b, guess);
+  const CorePoints core = core_points(a, b, guess, tolerance, start);
   const Vector3 between = core.on_b - core.on_a;
   const double distance = between.norm();
   const double rounding = 1e-14 * (a.bound + b.bound + (a.centre - b.centre).norm());
@@ -167,15 +213,16 @@ bool are_closer(const ConvexBody& a, const ConvexBody& b, double distance, const
   }
   const double size = guess.norm();
   if (size > 0 && gap_along(a, b, guess / size) >= distance) return false;
-  const FoundSimplex found = search(a, b, guess, [&](double lower, double upper) {
+  const auto is_enough = [of_cores](double lower, double upper) {
     return lower >= of_cores || upper < of_cores;
-  });
+  };
+  const FoundSimplex found = search_until(is_enough, a, b, guess);
   return found.simplex.nearest().norm() < of_cores;
 }
 
 HullPoint nearest_in_hull(const Vector3& point, const ConvexBody& hull) {
   const ConvexBody at{.origin = point, .centre = point};
-  const Simplex found = search(at, hull, hull.centre - point).simplex;
+  const Simplex found = search(at, hull, hull.centre - point, 0).simplex;
   HullPoint nearest{.mean = found.on_b(), .count = found.size()};
   for (int i = 0; i < nearest.count; ++i) {
     nearest.vertices[static_cast<std::size_t>(i)] = found.of_b(i);

@@ -15,13 +15,23 @@ struct NearestPoints {
   Vector3 direction = Vector3::UnitX();
 };
 
+/// The simplex of the last search for two bodies, in the frames of their cores. A search for the
+/// same bodies in the same order begins with it: where they have moved little, it takes few steps.
+struct SearchStart {
+  std::array<Vector3, 3> on_a = {}, on_b = {};
+  int count = 0;  ///< number of points; 0 for none
+};
+
 /// Proposes the nearest points of two bodies in one frame by the algorithm of Gilbert, Johnson and
 /// Keerthi ("A fast procedure for computing the distance between complex objects in
 /// three-dimensional space", 1988) on their cores, or in closed form for points, segments and a
 /// half-space. If the cores intersect, the points coincide to rounding, and the direction is the
 /// best of those that the axes of both bodies give. Begins with `guess`, a direction from the
-/// first body to the second. The second body may be a half-space, but not the first.
-NearestPoints nearest_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess);
+/// first body to the second, or with `start`, which becomes the start of the next search, and ends
+/// once the distance is known to `tolerance`, m, or to rounding. The second body may be a
+/// half-space, but not the first.
+NearestPoints nearest_points(const ConvexBody& a, const ConvexBody& b, const Vector3& guess,
+                             double tolerance = 0, SearchStart* start = nullptr);
 
 /// Whether two bodies in one frame seem to be closer than `distance`, by the same search, which
 /// ends as soon as that is clear.

@@ -15,8 +15,9 @@ Vector3 moved_into_body(const ConvexBody& body, const Vector3& point) {
 
 }  // namespace
 
-Separation separation(const ConvexBody& a, const ConvexBody& b, const Vector3& guess) {
-  Separation found{.points = nearest_points(a, b, guess)};
+Separation separation(const ConvexBody& a, const ConvexBody& b, const Vector3& guess,
+                      double tolerance, SearchStart* start) {
+  Separation found{.points = nearest_points(a, b, guess, tolerance, start)};
   const double rounding = support_rounding(a) + support_rounding(b);
   const Vector3& direction = found.points.direction;
   found.lower = -support(b, -direction) - support(a, direction) - rounding;

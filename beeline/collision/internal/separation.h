@@ -17,6 +17,7 @@ struct Separation {
 /// Computes the bounds for nearest_points(). If the first body is a half-space, the bodies must be
 /// exchanged.
 Separation separation(const ConvexBody& a, const ConvexBody& b,
-                      const Vector3& guess = Vector3::UnitX());
+                      const Vector3& guess = Vector3::UnitX(), double tolerance = 0,
+                      SearchStart* start = nullptr);
 
 }  // namespace beeline::internal

@@ -45,6 +45,7 @@ class Simplex {
 
   Vector3 on_a() const { return sum(&DifferencePoint::on_a); }
   Vector3 on_b() const { return sum(&DifferencePoint::on_b); }
+  const Vector3& of_a(int i) const { return points_[static_cast<std::size_t>(i)].on_a; }
   const Vector3& of_b(int i) const { return points_[static_cast<std::size_t>(i)].on_b; }
 
  private:

@@ -8,6 +8,7 @@
 namespace beeline::internal {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int max_parts = 4;           // of the line
 constexpr double fine_bound = 4e-4;    // m, remainder of the bounds on a part of the line
 constexpr std::size_t max_near = 256;  // pairs
@@ -15,6 +16,12 @@ constexpr std::size_t max_near = 256;  // pairs
 /// m, by which a distance may exceed a clearance and count as equal. Bodies that are placed at
 /// their clearance would else be undecided, and the arm could not leave.
 constexpr double resolution = 1e-9;
+
+/// m, to which distances are computed, unless a body may be at its clearance or below it.
+constexpr double distance_tolerance = resolution / 10;
+
+/// Number of pairs whose searches begin with their last ones: of clouds there are millions.
+constexpr std::size_t max_starts = 4096;
 
 }  // namespace
 
@@ -26,15 +33,20 @@ StopProof::StopProof(const CollisionBodies& bodies, double gain)
       placed_(bodies.link_bodies.size()),
       is_placed_(placed_.size()),
       last_separations_(pairs_.size()),
+      starts_(std::min(max_starts, pairs_.size())),
       near_(std::min(max_near, pairs_.size())),
       line_(bodies.arm.dof()),
+      line_end_(bodies.arm.dof()),
       part_line_(bodies.arm.dof()),
-      at_(bodies.arm.dof()),
+      part_start_(bodies.arm.dof()),
+      framed_line_(Eigen::VectorXd::Constant(bodies.arm.dof(), nan)),
+      framed_start_(framed_line_),
       zero_(Eigen::VectorXd::Zero(bodies.arm.dof())) {}
 
 void StopProof::reset() {
   pairs_.reset();
   for (LastSeparation& last : last_separations_) last.step = 0;
+  for (PairStart& start : starts_) start.search.count = 0;
   near_.clear();
 }
 
@@ -65,9 +77,13 @@ std::optional<std::size_t> StopProof::violated_pair() const {
 
 void StopProof::set_frames(const ConfigurationRef& q, int part, int parts) {
   part_line_ = line_ / parts;
-  at_ = q + part * part_line_;
-  motion_.set({at_, part_line_, zero_});
-  std::fill(is_placed_.begin(), is_placed_.end(), char{0});
+  part_start_ = q + part * part_line_;
+  const bool same_start = part_start_ == framed_start_;
+  if (same_start && part_line_ == framed_line_) return;
+  framed_start_ = part_start_;
+  framed_line_ = part_line_;
+  motion_.set({part_start_, part_line_, zero_});
+  if (!same_start) std::fill(is_placed_.begin(), is_placed_.end(), char{0});
 }
 
 bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, double time,
@@ -95,23 +111,6 @@ bool StopProof::prove(const ConfigurationRef& q, const Eigen::VectorXd& line, do
   return proved;
 }
 
-/// Whether a pair may come close, by the bounds of its distance and of the joints' motions alone.
-bool StopProof::is_in_reach(bool keeps_apart) const {
-  const double factor = std::max(1.0, 1 / (gain_ * time_));
-  const BodyMotions& motions = pairs_.motions();
-  for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-    const PairBounds::Range& range = pairs_.obstacles_of(i);
-    if (range.begin == range.end) continue;
-    if (!(pairs_.least_excess(range) >= factor * motions.of(i, 0))) return true;
-  }
-  for (std::size_t k = pairs_.first_self_pair(); k < pairs_.size(); ++k) {
-    const BodyPair& pair = pairs_.pair(k);
-    if (pair.is_apart && keeps_apart) continue;
-    if (!(pairs_.excess(k) >= factor * motions.of(pair.first, frame_of_second(pair)))) return true;
-  }
-  return false;
-}
-
 /// Returns the capsule around a link's body with its motion relative to a frame along the line.
 MovingCapsule StopProof::capsule(std::uint32_t body, std::size_t from) const {
   const CollisionBodies::BodyGroup& group = bodies_->groups[body];
@@ -133,28 +132,22 @@ double StopProof::displacement(const MovingCapsule& moving) const {
 /// Sets near_, the nearest pairs first. Returns false if there are too many.
 bool StopProof::find_near_pairs(const ConfigurationRef& q) {
   pairs_.motions().set(q, line_);
-  at_ = q + line_;
-  const bool keeps_apart = bodies_->keeps_apart(q) && bodies_->keeps_apart(at_);
-  if (!is_in_reach(keeps_apart)) return true;
-  set_frames(q, 0, 1);
+  line_end_ = q + line_;
+  const bool keeps_apart = bodies_->keeps_apart(q) && bodies_->keeps_apart(line_end_);
   const double factor = std::max(1.0, 1 / (gain_ * time_));
-  for (std::uint32_t i = 0; i < placed_.size(); ++i) {
-    const PairBounds::Range& range = pairs_.obstacles_of(i);
-    if (range.begin == range.end) continue;
-    const MovingCapsule moving = capsule(i, 0);
+  bool has_frames = false;
+  for (std::size_t i = 0; i < pairs_.groups().size(); ++i) {
+    const PairGroup& group = pairs_.groups()[i];
+    if (group.is_apart && keeps_apart) continue;
+    const double farthest = factor * pairs_.motions().of(group.first, group.from);
+    if (pairs_.least_excess(i) >= farthest) continue;
+    if (!has_frames) set_frames(q, 0, 1);
+    has_frames = true;
+    const MovingCapsule moving = capsule(group.first, group.from);
     const double reach = displacement(moving);
-    for (std::size_t k = range.begin; k < range.end; ++k) {
+    for (std::size_t k = group.begin; k < group.end; ++k) {
       if (!(pairs_.excess(k) >= reach)) add_if_near(k, moving, reach);
     }
-  }
-  for (std::size_t k = pairs_.first_self_pair(); k < pairs_.size(); ++k) {
-    const BodyPair& pair = pairs_.pair(k);
-    if (pair.is_apart && keeps_apart) continue;
-    const std::size_t from = frame_of_second(pair);
-    if (pairs_.excess(k) >= factor * pairs_.motions().of(pair.first, from)) continue;
-    const MovingCapsule moving = capsule(pair.first, from);
-    const double reach = displacement(moving);
-    if (!(pairs_.excess(k) >= reach)) add_if_near(k, moving, reach);
   }
   std::sort(near_.begin(), near_.end(),
             [](const auto& a, const auto& b) { return a.excess < b.excess; });
@@ -187,14 +180,16 @@ double StopProof::rounding(const BodyPair& pair) {
          support_rounding(placed(pair.first)) + support_rounding(second_of(pair));
 }
 
-/// Returns the separation of a pair at the start of the part.
-Separation StopProof::separate(std::size_t index) {
+/// Returns the separation of a pair at the start of the part, to a tolerance of its distance, m.
+Separation StopProof::separate(std::size_t index, double tolerance) {
   const BodyPair& pair = pairs_.pair(index);
   const ConvexBody &first = placed(pair.first), &second = second_of(pair);
   Vector3 guess = last_separations_[index].step > 0 ? last_separations_[index].points.direction
                                                     : Vector3(second.centre - first.centre);
   if (guess.isZero(0)) guess = Vector3::UnitX();
-  return separation(first, second, guess);
+  PairStart& start = starts_[index % starts_.size()];
+  if (start.pair != index) start = {.pair = index};
+  return separation(first, second, guess, tolerance, &start.search);
 }
 
 /// Whether the direction n from the first body to the second shows that the line keeps the
@@ -236,9 +231,12 @@ void StopProof::add_if_near(std::size_t index, const MovingCapsule& moving, doub
   const double rounded = rounding(pair);
   LastSeparation& known = last_separations_[index];
   if (known.step != step_) {
-    const Separation found = separate(index);
-    known = {found.points, found.lower - rounded - pair.clearance,
-             found.upper + rounded < pair.clearance + resolution, step_};
+    Separation found = separate(index, distance_tolerance);
+    if (found.lower - rounded < pair.clearance + resolution) found = separate(index, 0);
+    known.points = found.points;
+    known.excess = found.lower - rounded - pair.clearance;
+    known.is_below = found.upper + rounded < pair.clearance + resolution;
+    known.step = step_;
     pairs_.set_excess(index, std::max(pairs_.excess(index), known.excess));
   }
   if (known.excess >= reach) return;
@@ -297,7 +295,7 @@ bool StopProof::prove_part(int part, int parts) {
     PartBound along = bound_on_part(pair, near.last_points.direction);
     // The direction of the part before is another one in the frame of a second body that moves.
     if (part > 0 && std::min(along.start, along.end - bounds.remainder) < near.floor) {
-      near.last_points = separate(near.pair).points;
+      near.last_points = separate(near.pair, near.is_below ? 0 : distance_tolerance).points;
       along = bound_on_part(pair, near.last_points.direction);
     }
     if (part == 0) {

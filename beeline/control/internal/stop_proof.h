@@ -63,7 +63,7 @@ class StopProof {
   /// Whether no distance falls faster than the damper allows.
   bool is_damped() const;
 
-  /// Sets the frames to the start of a part of the line.
+  /// Sets the frames to the start of a part of the line, unless they are there.
   void set_frames(const ConfigurationRef& q, int part, int parts);
   /// Sets the derivative of n . (second - first) by the coordinates, at the frames.
   void fill_gradient(std::size_t pair, const NearestPoints& points,
@@ -80,6 +80,11 @@ class StopProof {
     bool is_below = false;
     std::uint64_t step = 0;
   };
+  /// Where the next search for a pair begins.
+  struct PairStart {
+    std::size_t pair = 0;
+    SearchStart search = {};
+  };
   /// A lower bound of a distance along a direction, at both ends of a part of the line, m. The end
   /// is to first order.
   struct PartBound {
@@ -87,7 +92,6 @@ class StopProof {
   };
 
   bool find_near_pairs(const ConfigurationRef& q);
-  bool is_in_reach(bool keeps_apart) const;
   BoundedList<NearPair>::Iterator farthest_near();
   double damper_slack(const NearPair& near) const;
   MovingCapsule capsule(std::uint32_t body, std::size_t from) const;
@@ -103,7 +107,7 @@ class StopProof {
   const ConvexBody& second_of(const BodyPair& pair);
   std::size_t frame_of_second(const BodyPair& pair) const;
   double rounding(const BodyPair& pair);
-  Separation separate(std::size_t pair);
+  Separation separate(std::size_t pair, double tolerance);
 
   const CollisionBodies* bodies_;
   double gain_;
@@ -112,12 +116,15 @@ class StopProof {
   std::vector<ConvexBody> placed_;
   std::vector<char> is_placed_;
   std::vector<LastSeparation> last_separations_;  ///< of each pair
+  std::vector<PairStart> starts_;                 ///< by the pair, modulo their number
   std::uint64_t step_ = 0;                        ///< counts steps, from 1
   BoundedList<NearPair> near_;                    ///< the nearest first
   bool too_many_ = false;                         ///< whether more pairs are near than near_ holds
   double time_ = 0;
   int parts_ = 1;
-  Eigen::VectorXd line_, part_line_, at_, zero_;
+  Eigen::VectorXd line_, line_end_, part_line_, part_start_;
+  Eigen::VectorXd framed_line_, framed_start_;  ///< the line and the start of the frames
+  Eigen::VectorXd zero_;
 };
 
 }  // namespace beeline::internal
