@@ -6,6 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 modules=$1 folder=$2
 max_bytes=4000000
+if [[ ${BEELINE_WEB_QUICK:-} == ON ]]; then max_bytes=7500000; fi  # modules that .ci/run builds
 
 PATH=$(scripts/node_path.sh)
 if [[ ! -f $modules/core.wasm || ! -d web/node_modules ]]; then
