@@ -76,7 +76,7 @@ enum class ReasonCode {
   outside_limits,        ///< a joint is outside its position limits at a sample
   moves_outside_limits,  ///< a joint leaves its limits between two samples
   excess_rises,          ///< a joint that starts outside its limits moves farther out
-  rotates_too_far,       ///< a joint rotates more than half a revolution between two samples
+  rotates_too_far,       ///< a joint rotates by half a revolution or more: Fault::flip
   derivative_needed,     ///< needed over the next samples, above its limit
   derivative_reached,    ///< reached before the next sample, above its limit
   starts_moving,         ///< a trajectory that should start from rest

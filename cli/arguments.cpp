@@ -9,6 +9,7 @@
 #include <beeline/io/text/arm.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
 
 #include "command/streams.h"
 
@@ -219,9 +220,8 @@ Task JacobianArgument::read(const Arm& arm) const {
 }
 
 int coordinate_named(const Arm& arm, const std::string& joint, const std::string& option) {
+  if (const auto found = coordinate_called(arm, joint)) return *found;
   const std::vector<std::string> names = arm.joint_names();
-  const auto found = std::find(names.begin(), names.end(), joint);
-  if (found != names.end()) return static_cast<int>(found - names.begin());
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (joint != std::to_string(k + 1)) continue;
     throw Error(fmt::format("{}: joints have names, not numbers; joint {} is {} (known: {})",

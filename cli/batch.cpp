@@ -73,6 +73,9 @@ BatchReport process(const BatchArguments& arguments, const BatchWork& work) {
   if (!reader.has_header() && work.forms.size() > 1 && extension(arguments.in) != "npy") {
     warn_of_missing_header(reader.path(), work.forms[reader.form()]);
   }
+  if (const auto units = reader.commented_units(); !units.empty()) {
+    warn(sentence({.kind = PoseNoteKind::commented_unit, .columns = units}, reader.path()));
+  }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -6,6 +6,7 @@
 
 #include <beeline/error.h>
 #include <beeline/kinematics/forward.h>
+#include <beeline/model/catalog.h>
 #include <beeline/pose/se2.h>
 
 #include "blocked_solutions.h"

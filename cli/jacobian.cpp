@@ -245,7 +245,8 @@ std::vector<Option> derivative_options(JacobianArguments& arguments) {
              &arguments.ellipsoids),
       Option("--analytical COORDINATES",
              "Prints the analytical Jacobian: the derivatives of the position and of these "
-             "coordinates of the orientation, in the world.",
+             "coordinates of the orientation, in the world: " +
+                 listed(orientation_coordinates_names()) + ".",
              &arguments.analytical, {.choices = orientation_coordinates_names()}),
       Option("--wrench F",
              "Force and moment, N and N m, by which the tool acts on its surroundings, in the axes "

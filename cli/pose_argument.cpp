@@ -123,14 +123,17 @@ PoseList waypoints_from(const std::string& text, const std::string& path, const 
                         const TaskArgument& task, const WorkArgument& work,
                         const UnitArgument& unit, const std::string& option) {
   const WrittenPose world_T_work = work.read(arm, unit);
-  PoseList list = poses_from_csv(text, path, unit.pose_format(triple_of(arm)));
-  if (!list.has_header) warn_of_missing_header(path, list.columns);
+  const PoseFormat format = unit.pose_format(triple_of(arm));
+  PoseList list = poses_from_csv(text, path, format);
   if (list.poses.size() > max_poses) {
     throw FileError(path, list.lines[max_poses],
                     fmt::format("has {} poses; a path has at most {}: divide it", list.poses.size(),
                                 max_poses));
   }
-  warn_of_angle(option + " " + path, list.max_angle, list.form, unit);
+  for (const PoseNote& note : notes_on(list, format)) {
+    const bool of_file = note.kind == PoseNoteKind::no_header;
+    warn(sentence(note, of_file ? path : option + " " + path, OptionStyle::command));
+  }
   for (std::size_t i = 0; i < list.poses.size(); ++i) {
     try {
       const WrittenPose pose =

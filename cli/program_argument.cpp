@@ -6,10 +6,12 @@
 #include <beeline/io/program.h>
 #include <beeline/kinematics/forward.h>
 
+#include "command/streams.h"
+
 namespace beeline::command {
 namespace {
 
-/// Gives the poses that are not relative in the world.
+/// Gives the poses that are not relative in the world, and warns of numbers in other units.
 void set_in_world(const Arm& arm, const ProgramContext& context, ProgramRows& program) {
   const WrittenPose world_T_work = context.work.read(arm, context.unit);
   double max_angle = 0, distance = 0;
@@ -33,6 +35,12 @@ void set_in_world(const Arm& arm, const ProgramContext& context, ProgramRows& pr
   }
   warn_of_angle("--through " + program.path, max_angle, form, context.unit);
   warn_of_distance("--through " + program.path, distance, context.unit);
+  for (const ProgramRow& row : program.rows) {
+    constexpr double fastest = 10;  // m/s
+    if (row.speed.value_or(0) <= fastest) continue;
+    return warn("--through " + program.path + ": a speed of " + number(*row.speed) +
+                " m/s is probably in millimetres per second; speeds are in m/s");
+  }
 }
 
 /// Gives rows from `first` on this blend where they are lines before a line, without a dwell and a

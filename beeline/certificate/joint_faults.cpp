@@ -86,8 +86,7 @@ class FaultSearch {
     if (k + 1 == t_.size()) return;
     if (recovery_.is_returning(k, i)) check_return(k, i);
     const double step = q_[k + 1][i] - q_[k][i];
-    const bool prismatic = kind(arm_.joint_of(i)) == JointKind::prismatic;
-    if (!prismatic && std::abs(step) >= std::numbers::pi) {
+    if (flips(k, i, step)) {
       return report(Fault::flip, k, i, std::abs(step),
                     {ReasonCode::rotates_too_far, {{ReasonField::change, step}}});
     }
@@ -102,6 +101,16 @@ class FaultSearch {
     Reason reason = outside(ReasonCode::moves_outside_limits, i, extreme);
     reason.set(ReasonField::interpolation, name(trajectory_.interpolation()));
     report(Fault::limits, k, i, excess_over(limits, extreme), std::move(reason));
+  }
+
+  /// Whether a joint may have rotated in the other direction, or jumped. It has not if there are
+  /// velocities, which are not of that direction, and the step is one that its limit allows.
+  bool flips(std::size_t k, int i, double step) const {
+    if (std::abs(step) < std::numbers::pi) return false;
+    if (kind(arm_.joint_of(i)) == JointKind::prismatic) return false;
+    const double most = (1 + slack_) * motion_limits(arm_.limits(i)).velocity;
+    if (v_.empty() || std::abs(step) > most * (t_[k + 1] - t_[k])) return true;
+    return step * (v_[k][i] + v_[k + 1][i]) < 0;
   }
 
   /// Checks that the excess of a joint that starts outside its limits does not rise.
@@ -153,7 +162,8 @@ class FaultSearch {
     if (order > bounded_order(trajectory_.interpolation())) {
       const double needed = needed_derivative(trajectory_, k, i, order);
       if (allowed(needed)) return;
-      return report(fault, k, i, needed / limit, above(ReasonCode::derivative_needed, needed));
+      // A divided difference is of the jump at the next sample.
+      return report(fault, k + 1, i, needed / limit, above(ReasonCode::derivative_needed, needed));
     }
     if (k + 1 == t_.size()) return;
     const Polynomial p =

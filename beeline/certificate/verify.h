@@ -63,9 +63,11 @@ std::vector<std::size_t> arrivals(std::span<const double> path_parameters);
 
 /// The faults that verify() finds in a trajectory.
 enum class Fault {
-  none,          ///< no fault
-  limits,        ///< a joint exceeds its position limits, at a sample or between two
-  flip,          ///< a joint rotates by pi or more between two samples
+  none,    ///< no fault
+  limits,  ///< a joint exceeds its position limits, at a sample or between two
+  /// A joint rotates by pi or more between two samples that have no velocities or velocities of the
+  /// other direction, or faster than its limit: the direction is not known.
+  flip,
   deviation,     ///< the tool leaves the path, at a sample or possibly between two
   backwards,     ///< the tool moves back on the path, at a sample or possibly between two
   not_through,   ///< a waypoint is not reached

@@ -87,6 +87,9 @@ void explain(InverseResult& result, const Budget& budget) {
   }
   result.nearest = std::move(all.nearest);
   result.residual = all.residual;
+  const bool denied = result.status == InverseStatus::unreachable ||
+                      result.status == InverseStatus::orientation_unreachable;
+  if (denied && all.status == InverseStatus::outside_limits) result.status = all.status;
   if (all.status == result.status) {
     result.reason = std::move(all.reason);
   } else if (result.status == InverseStatus::orientation_unreachable && result.nearest) {

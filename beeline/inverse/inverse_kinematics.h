@@ -229,7 +229,7 @@ InverseResult inverse_kinematics(const Arm& arm, const Pose& world_T_tool,
 /// seven joints, a hundred times as long as the status. If the budget ends it, the nearest
 /// configuration that was found so far is given. The status does not change, unless the search
 /// finds a solution that closed form and range examination missed: the result is then that
-/// solution.
+/// solution, or `outside_limits` if it exceeds the limits.
 void explain(InverseResult& result, const Budget& budget = {});
 
 /// Writes the solutions for control loops, nearest to `seed` first, into the columns of

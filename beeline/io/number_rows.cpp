@@ -44,6 +44,7 @@ class CsvNumbers {
 
   std::size_t form() const { return form_; }
   bool has_header() const { return rows_.has_header(); }
+  const std::vector<std::string>& commented_units() const { return commented_units_; }
   const InputFile& file() const { return file_; }
 
   void read(RowBlock& block, BadRows& bad) {
@@ -87,6 +88,7 @@ class CsvNumbers {
     for (const std::size_t position : positions) wanted.push_back(units[position]);
     try {
       const std::vector<double> factors = factors_to(wanted, columns, rows_.stated(), file_.path());
+      commented_units_ = internal::commented_units(columns, rows_.stated(), factors);
       const auto is_one = [](double factor) { return factor == 1; };
       if (std::all_of(factors.begin(), factors.end(), is_one)) return;
       factors_.resize(factors.size());
@@ -112,7 +114,8 @@ class CsvNumbers {
   std::vector<std::size_t> position_of_;  ///< of each column in the form; empty: in its order
   std::vector<double> row_;               ///< in the order of the file
   std::vector<double> factors_;           ///< of each number of the form; empty: 1
-  std::int64_t count_ = 0;                ///< rows reached
+  std::vector<std::string> commented_units_;
+  std::int64_t count_ = 0;  ///< rows reached
 };
 
 /// Rows of an .npy file: chooses the form by the width and checks that numbers are finite.
@@ -129,6 +132,7 @@ class NpyRows {
 
   std::size_t form() const { return form_; }
   bool has_header() const { return false; }
+  std::vector<std::string> commented_units() const { return {}; }
   const InputFile& file() const { return reader_.file(); }
 
   void read(RowBlock& block, BadRows& bad) {
@@ -263,6 +267,12 @@ RowReader::~RowReader() = default;
 
 bool RowReader::has_header() const {
   return std::visit([](const auto& reader) { return reader.has_header(); }, source_->reader);
+}
+
+std::vector<std::string> RowReader::commented_units() const {
+  return std::visit(
+      [](const auto& reader) { return std::vector<std::string>(reader.commented_units()); },
+      source_->reader);
 }
 
 std::size_t RowReader::form() const {

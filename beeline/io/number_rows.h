@@ -72,6 +72,8 @@ class RowReader {
 
   std::size_t form() const;  ///< index of the file's form
   bool has_header() const;   ///< false: the number of columns gives the form
+  /// Units other than `units` that a comment gives, mm and deg.
+  std::vector<std::string> commented_units() const;
   /// Reads the next rows, at most as many as `block.numbers` has columns; none at the end.
   void read(RowBlock& block, BadRows& bad);
 

@@ -117,6 +117,9 @@ std::string observation(const RecordingNote& note) {
       return ": " + NamedColumns(note.columns).verb("is", "are") +
              "not read: rates must be there for all joints and samples, and accelerations need "
              "velocities";
+    case RecordingNoteKind::named_time_unit:
+      return ": times are read in " + name(note.time_unit.value_or(TimeUnit::seconds)) +
+             ", as a comment says";
     case RecordingNoteKind::named_unit:
     case RecordingNoteKind::named_rate_unit:
     case RecordingNoteKind::no_unit:

@@ -99,6 +99,7 @@ enum class RecordingNoteKind {
   unread_rates,        ///< `columns` are not read: they are not complete, or lack velocities
   named_unit,          ///< `columns` are in `joint_unit`, as their names say; if there are none,
                        ///< a comment gives the unit of the joints' other columns
+  named_time_unit,     ///< times are in `time_unit`, as a comment says
   named_rate_unit,     ///< the rates in `columns` are in `joint_unit` per second, as a comment says
   no_unit,             ///< the names of `columns` give no unit, other names do; they are read
                        ///< in `joint_unit`

@@ -8,6 +8,7 @@
 
 #include <beeline/error.h>
 #include <beeline/internal/random_fraction.h>
+#include <beeline/math/revolution.h>
 #include <beeline/model/arm.h>
 #include <beeline/model/internal/chain.h>
 #include <beeline/model/internal/joint_reason.h>
@@ -26,6 +27,19 @@ std::size_t leader_of(const std::vector<Joint>& joints,
   for (const Joint& joint : joints) names.push_back(joint.name);
   throw Error("joint " + joints[i].name + " mimics an " +
               unknown_name("joint", joints[i].mimic->leader, names).what());
+}
+
+/// For each coordinate, see Arm::periodic().
+std::vector<char> periodic_coordinates(const std::vector<Joint>& joints,
+                                       const std::vector<Arm::JointCoupling>& couplings,
+                                       std::size_t count) {
+  std::vector<char> periodic(count, 1);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const double ratio = couplings[i].ratio;
+    const bool turns = kind(joints[i]) == JointKind::revolute && ratio == std::round(ratio);
+    if (ratio != 0 && !turns) periodic[couplings[i].coordinate] = 0;
+  }
+  return periodic;
 }
 
 /// A mimic joint may lead others, in any order: each sequence of leaders is followed up to one that
@@ -104,6 +118,7 @@ bool rather_in_degrees(const Limits& limits, double angle) {
 /// up to `half`, which is infinite for a joint without limits.
 struct Translations {
   double middle = 0, half = 0;
+  double typical = 0;  ///< largest(), or if that is infinite, of one revolution
 
   double largest() const { return std::abs(middle) + half; }
 };
@@ -112,19 +127,25 @@ Translations translations_of(const Joint& joint, const Limits& limits,
                              const Arm::JointCoupling& coupling) {
   const double along = kind(joint) == JointKind::prismatic ? 1 : pitch(joint);
   if (along == 0) return {};
-  if (coupling.ratio == 0) return {.middle = along * coupling.shift};
+  if (coupling.ratio == 0) {
+    return {.middle = along * coupling.shift, .typical = std::abs(along * coupling.shift)};
+  }
   const double a = along * (coupling.ratio * limits.lower + coupling.shift);
   const double b = along * (coupling.ratio * limits.upper + coupling.shift);
-  if (!std::isfinite(a - b)) return {.half = Limits::none};
+  if (!std::isfinite(a - b)) {
+    const bool turns = kind(joint) != JointKind::prismatic;
+    return {.half = Limits::none, .typical = turns ? internal::revolution * std::abs(along) : 0};
+  }
   const double middle = a + (b - a) / 2;
-  return {middle, std::max(std::abs(a - middle), std::abs(b - middle))};
+  const double half = std::max(std::abs(a - middle), std::abs(b - middle));
+  return {middle, half, std::abs(middle) + half};
 }
 
 /// The centre is a point on the first axis of rotation. A sequence of points, one on each axis of
 /// rotation, leads from there to the tool: two neighbours are fixed to one link, so their distance
 /// is constant except for the translations of joints between them. Prismatic joints before the
 /// first axis of rotation, such as a rail, translate the whole arm: they are in the middle of their
-/// ranges. The radius is the sum of all distances and translations.
+/// ranges. The radius is the sum of all distances and translations; for the size they are typical.
 Arm::Reach reach_ball(const Arm& arm) {
   Arm::Reach reach;
   Pose base_T_link = arm.base();
@@ -138,22 +159,28 @@ Arm::Reach reach_ball(const Arm& arm) {
     if (!rotates && kind(joint) == JointKind::prismatic) {
       base_T_link.translation() += base_T_link.linear() * joint.screw.head<3>() * along.middle;
       reach.radius += along.half;
+      if (std::isfinite(along.half)) reach.size += along.half;
       continue;
     }
     reach.radius += along.largest();
+    reach.size += along.typical;
     if (kind(joint) == JointKind::prismatic) continue;
     const Twist screw = adjoint(base_T_link, joint.screw);
     const Vector3 axis = screw.tail<3>();
     const Vector3 origin = base_T_link.translation();
     const Vector3 point = axis.cross(screw.head<3>()) + axis.dot(origin) * axis;
-    if (rotates) reach.radius += (point - last).norm();
+    const double distance = rotates ? (point - last).norm() : 0;
+    reach.radius += distance;
+    reach.size += distance;
     if (!rotates) reach.centre = point;
     rotates = true;
     last = point;
   }
   const Vector3 tool = (base_T_link * arm.tool()).translation();
   if (!rotates) reach.centre = tool;
-  if (rotates) reach.radius += (tool - last).norm();
+  const double distance = rotates ? (tool - last).norm() : 0;
+  reach.radius += distance;
+  reach.size += distance;
   return reach;
 }
 
@@ -196,6 +223,7 @@ Arm::Arm(std::string name, std::vector<Joint> joints, const Pose& tool, const Po
     tighten(leader, joints_[i].limits, couplings_[i], what);
     internal::check_limits(leader, what + " with its leader");
   }
+  periodic_ = periodic_coordinates(joints_, couplings_, leaders_.size());
   internal::Chain chain = internal::make_chain(*this);
   internal::ChainAngles angles = internal::angles_of(chain);
   memory_ = Memory(new internal::ArmMemory(std::move(chain), std::move(angles)));

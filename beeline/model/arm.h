@@ -98,6 +98,10 @@ class Arm {
   /// One for each joint.
   const std::vector<JointCoupling>& couplings() const { return couplings_; }
 
+  /// Whether adding 2 pi to coordinate k leaves the posture unchanged: its joint is revolute, and
+  /// so are all joints that follow it, with integer ratios.
+  bool periodic(Eigen::Index k) const { return periodic_[k]; }
+
   /// Whether all motion is in one plane z = constant, with the tool's z axis along the world's.
   bool planar() const { return planar_; }
 
@@ -110,6 +114,8 @@ class Arm {
   struct Reach {
     Vector3 centre = Vector3::Zero();
     double radius = 0;
+    /// The radius without travels that have no limits, except of one revolution of helical joints.
+    double size = 0;
   };
   const Reach& reach() const { return reach_; }
 
@@ -143,6 +149,7 @@ class Arm {
   std::vector<int> leaders_;
   std::vector<JointCoupling> couplings_;
   std::vector<Limits> limits_;
+  std::vector<char> periodic_;  // a bool each
   Memory memory_;
   bool planar_ = false;
   bool rotates_about_z_ = false;
@@ -162,6 +169,30 @@ bool rather_in_millimetres(const Arm::Reach& sphere, const Vector3& position);
 /// another number of limits.
 Arm arm_from_dh(const std::string& name, std::span<const DhRow> rows, DhConvention convention,
                 std::span<const Limits> limits = {});
+
+/// The frame in which screws are given, at zero joint values.
+enum class ScrewFrame {
+  space,  ///< the world
+  body,   ///< the tool
+};
+
+/// Returns the arm of a product of exponentials (Lynch & Park, sections 4.1.1 and 4.1.3),
+///   T(q) = exp(S1 q1) ... exp(Sn qn) M = M exp(B1 q1) ... exp(Bn qn):
+/// one joint for each screw S (space) or B (body), named joint1, joint2 and so on, with `limits`,
+/// one for each, or none. A screw is a twist [vx vy vz wx wy wz]: of a rotation |w| = 1 and v =
+/// point x w + pitch w, of a translation w = 0 and |v| = 1. `home` is M, the pose of the tool in
+/// the world at zero joint values. The frame of link i has the directions of the world's axes and
+/// its origin on the joint's axis, nearest to the origin of the link before.
+/// Lengths that differ from 1 by up to 0.001 are rounded numbers: the screw is divided by them.
+/// Throws Error as Arm does, for other lengths, for a pitch that may come from the decimals to
+/// which the numbers are rounded, and for another number of limits.
+Arm arm_from_screws(const std::string& name, std::span<const Twist> screws, const Pose& home,
+                    ScrewFrame frame, std::span<const Limits> limits = {});
+
+/// Returns the screws of all joints and the pose of the tool in the world, at zero joint values:
+/// what arm_from_screws() takes.
+std::vector<Twist> screws(const Arm& arm, ScrewFrame frame);
+Pose home_pose(const Arm& arm);
 
 /// Returns a copy with another tool on the same flange.
 Arm with_tool(const Arm& arm, const Pose& tool);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string_view>
 
 #include <beeline/error.h>
@@ -84,6 +85,32 @@ Arm built_in(std::string_view name) {
     if (entry.name == name) return arm_of(entry);
   }
   throw unknown_name("built-in arm", name, built_in_names());
+}
+
+std::vector<std::vector<std::string>> joint_namings(const Arm& arm) {
+  std::vector<std::vector<std::string>> namings{arm.joint_names()};
+  for (const BuiltInArm& about : built_in_arms()) {
+    if (about.name != arm.name()) continue;
+    const std::vector<std::string> own = namings.front();
+    const std::vector<std::string> last = built_in(about.name).joint_names();
+    if (own.size() < last.size() || !std::equal(last.rbegin(), last.rend(), own.rbegin())) continue;
+    for (const std::vector<std::string>& of_arm : about.joint_names) {
+      std::vector<std::string> naming(own.begin(),
+                                      own.end() - static_cast<std::ptrdiff_t>(last.size()));
+      naming.insert(naming.end(), of_arm.begin(),
+                    of_arm.end());  // behind a rail's or base's joints
+      namings.push_back(std::move(naming));
+    }
+  }
+  return namings;
+}
+
+std::optional<int> coordinate_called(const Arm& arm, std::string_view joint) {
+  for (const std::vector<std::string>& naming : joint_namings(arm)) {
+    const auto found = std::find(naming.begin(), naming.end(), joint);
+    if (found != naming.end()) return static_cast<int>(found - naming.begin());
+  }
+  return std::nullopt;
 }
 
 }  // namespace beeline

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,5 +33,12 @@ std::vector<std::string> built_in_names();
 /// Returns the built-in arm; its tool is the flange or the frame that the note names. The source
 /// gives its joint limits. Throws Error for an unknown name, suggesting the nearest one.
 Arm built_in(std::string_view name);
+
+/// Returns the lists of names of the joints that have a coordinate: the arm's own names and, for a
+/// built-in arm, BuiltInArm::joint_names.
+std::vector<std::vector<std::string>> joint_namings(const Arm& arm);
+
+/// Returns the coordinate of the joint that one of joint_namings() calls so; none for another name.
+std::optional<int> coordinate_called(const Arm& arm, std::string_view joint);
 
 }  // namespace beeline

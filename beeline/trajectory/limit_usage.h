@@ -14,7 +14,7 @@ namespace beeline {
 struct LimitFraction {
   double fraction = 0;  ///< largest fraction of the limit
   std::string joint;    ///< the joint that uses it; empty for a fraction of 0
-  double time = 0;      ///< time of the sample before it, s
+  double time = 0;      ///< time of the sample before it, or at which it jumps, s
   /// Whether it is exact for the motion that the columns mean. Otherwise the interpolation does not
   /// bound this derivative, which jumps at the samples; the fraction is then the need of the
   /// smoothest motion through the samples, computed by divided differences.

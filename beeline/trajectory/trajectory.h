@@ -93,10 +93,6 @@ struct MatchOptions {
   std::vector<std::optional<double>> column_units = {};
 };
 
-/// Returns the lists of names of an arm's joints: its own names and, for a built-in arm, the
-/// makers' names.
-std::vector<std::vector<std::string>> joint_namings(const Arm& arm);
-
 /// Returns the trajectory with its columns in the arm's order, matched by joint name: the arm's own
 /// names, one of the lists of BuiltInArm::joint_names of a built-in arm, or either with the same
 /// text in front of all of them, as `left_joint1`, or with `position`, and for rates `velocity` and

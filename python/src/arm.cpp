@@ -108,7 +108,12 @@ void bind_descriptions(nb::class_<Arm>& arm) {
   json.takes("text", "str", "JSON.");
   define_static(
       arm,
-      [](nb::handle text) { return arm_from_json(Value<std::string>::from(text, "text"), "JSON"); },
+      [](nb::handle text) {
+        std::vector<ReadWarning> warnings;
+        Arm arm = arm_from_json(Value<std::string>::from(text, "text"), "JSON", &warnings);
+        for (const ReadWarning& warning : warnings) warn_of_input(sentence(warning));
+        return arm;
+      },
       json, nb::arg("text"));
 }
 
@@ -134,6 +139,10 @@ void bind_frames(nb::class_<Arm>& arm) {
       arm, "tool", array_type,
       [](const Arm& self) { return read_only(Value<Pose>::to(self.tool())); },
       "Pose of the tool in the last link (4, 4).");
+  property(
+      arm, "home", array_type,
+      [](const Arm& self) { return read_only(Value<Pose>::to(home_pose(self))); },
+      "Pose of the tool in the world at zero joint values (4, 4).");
   property(
       arm, "controller_base", array_type,
       [](const Arm& self) { return read_only(Value<Pose>::to(self.controller().base)); },
@@ -324,6 +333,7 @@ void bind_arms(nb::module_& m) {
   bind_arm_files(arm);
   bind_written_arms(m, arm);
   bind_descriptions(arm);
+  bind_screws(arm);
   bind_properties(arm);
   bind_frames(arm);
   bind_copies(arm);

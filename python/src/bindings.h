@@ -12,6 +12,7 @@ void bind_planar_poses(nanobind::module_& module);  ///< by bind_poses()
 void bind_arms(nanobind::module_& module);
 void bind_arm_files(nanobind::class_<Arm>& arm);  ///< by bind_arms(): the chain between two links
 void bind_written_arms(nanobind::module_& m, nanobind::class_<Arm>& arm);  ///< by bind_arms()
+void bind_screws(nanobind::class_<Arm>& arm);                              ///< by bind_arms()
 void bind_moving_bases(nanobind::class_<Arm>& arm);                        ///< by bind_arms()
 nanobind::object model_warning();  ///< the category of warnings of readers, ModelWarning
 void bind_random_configurations(nanobind::module_& module);

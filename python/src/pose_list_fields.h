@@ -13,6 +13,7 @@ struct Fields<PoseFormat> : Members<&PoseFormat::angle_unit, &PoseFormat::triple
 template <>
 struct Fields<PoseList>
     : Members<&PoseList::poses, &PoseList::lines, &PoseList::planar, &PoseList::max_angle,
-              &PoseList::oriented, &PoseList::columns, &PoseList::has_header, &PoseList::form> {};
+              &PoseList::oriented, &PoseList::columns, &PoseList::has_header, &PoseList::form,
+              &PoseList::vector_in_degrees, &PoseList::commented_units> {};
 
 }  // namespace beeline::python

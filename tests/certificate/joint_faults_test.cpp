@@ -39,6 +39,23 @@ TEST(FirstJointFault, TellsEachKind) {
   expect_first(motion, Fault::jerk, 0);
 }
 
+TEST(FirstJointFault, VelocitiesShowInWhichDirectionAJointRotates) {
+  Trajectory motion{.joint_names = {"slide", "turning"},
+                    .times = {0, 4},
+                    .positions = {Configuration{{0, 0}}, Configuration{{0, 4}}},
+                    .velocities = {Configuration{{0, 0}}, Configuration{{0, 0}}},
+                    .accelerations = {}};
+  EXPECT_FALSE(first_joint_fault(two_joints(), motion));
+  motion.velocities[0][1] = motion.velocities[1][1] = -0.1;
+  expect_first(motion, Fault::flip, 0);
+  motion.velocities[0][1] = motion.velocities[1][1] = 0;
+  motion.times[1] = 0.39;  // 10.3 rad/s in the mean
+  expect_first(motion, Fault::flip, 0);
+  motion.times[1] = 4;
+  motion.velocities.clear();
+  expect_first(motion, Fault::flip, 0);
+}
+
 // The limits of the first joint are 1, 2 and 6: derivatives of t, t^2 and t^3.
 TEST(FirstJointFault, AllowsAMillionthAboveALimitAndNoMore) {
   for (const int order : {1, 2, 3}) {

@@ -45,6 +45,17 @@ def test_a_json_file_too(beeline, written):
     assert (joint["lower"], joint["velocity"], joint["jerk"]) == (-0.5, 0.25, 7)
 
 
+@pytest.mark.parametrize("name, text", [
+    ("l.json", '{"shoulder_pan_joint": {"velocity": 0.5}}'),
+    ("l.yaml", "joint_limits:\n  shoulder_pan_joint: {has_velocity_limits: true, max_velocity: 0.5}\n")])
+def test_makers_names_of_a_built_in_arm_are_known(beeline, refused, written, name, text):
+    path = written(name, text)
+    assert limits(beeline("show", "ur5e", "--limits", path, "--json"))[0]["velocity"] == 0.5
+    refused(3, "show", "panda", "--limits", path, says=["shoulder_pan_joint"])
+    twice = written("t.json", '{"joint1": {}, "shoulder_pan_joint": {}}')
+    refused(3, "show", "ur5e", "--limits", twice, says=["joint1", "twice"])
+
+
 def test_options_replace_limits_in_the_unit_of_the_joint(beeline, written):
     slow = limits(beeline("show", "scara", "--velocity", "90,180,0.5,360", "--degrees",
                           "--acceleration", "5", "--json"))

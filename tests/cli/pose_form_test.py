@@ -166,6 +166,24 @@ def test_prismatic_joints_stay_in_metres(beeline):
     assert "x 1500 mm" in beeline("fk", "rp", "--q", "0,0.5", "--millimetres").out
 
 
+def test_what_else_than_names_gives_the_units_is_said(beeline, written):
+    rows = "x,y,theta\n4500,5200,0\n4400,5100,10\n"
+    path = written("p.csv", "# mm, deg\n" + rows)
+    says = "p.csv: columns without a unit are read in deg, mm, as a comment says"
+    answer = beeline("line", "rrr", "--from", "0,90,0", "--degrees", "--through", path, "--out", "m.csv")
+    assert answer.code == 0 and says.replace("deg, ", "") in answer.err
+    answer = beeline("batch", "ik", "rrr", "--in", path, "--out", "q.csv")
+    assert answer.code == 0 and says in answer.err
+    path = written("p.csv", "x,y,z,Rx(deg),Ry(deg),Rz(deg)\n0.45,0.25,0.45,180,0,20\n0.4,0.25,0.45,180,0,20\n")
+    assert "are read as a rotation vector" in beeline("line", "ur5e", "--through", path, "--out", "m.csv").err
+
+
+def test_a_speed_in_millimetres_per_second_gets_a_hint(beeline, written):
+    path = written("p.csv", "x,y,z,roll,pitch,yaw,speed\n0.45,0.25,0.45,3.1,0,0,\n0.45,-0.25,0.35,3.1,0,0,250\n")
+    answer = beeline("line", "ur5e", "--through", path, "--out", "m.csv")
+    assert answer.code == 0 and "a speed of 250 m/s is probably in millimetres per second" in answer.err
+
+
 def test_poses_that_may_be_in_millimetres_get_a_hint(beeline, written):
     def hints(*arguments):
         return [line for line in beeline(*arguments).err.splitlines() if "--millimetres" in line]

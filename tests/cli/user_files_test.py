@@ -60,6 +60,23 @@ def test_without_a_tip_a_chain_that_lost_a_joint_is_refused(beeline, written, re
     refused(3, "show", "cut.urdf", says=["joint j2", 'unknown parent link "bb"', 'did you mean "b"', "the option tip"])
 
 
+def test_angles_of_more_than_a_revolution_are_warned_of(beeline, written):
+    written("r.urdf", robot(ARM).replace('<origin xyz="0.3 0 0"/>', '<origin xyz="0.3 0 0" rpy="90 0 0"/>', 1))
+    assert warnings(beeline("show", "r.urdf")) == [
+        "r.urdf:2: joint j1: an angle of 90 rad is more than a revolution; angles are in radians"]
+    rows = {"rows": [{"a": 1, "alpha": -90}, {"a": 1}], "convention": "standard"}
+    turned = {"name": "j", "type": "revolute", "origin": {"rpy": [0, 0, 45]}}
+    says = "an angle of {} rad is more than a revolution; angles are in radians"
+    for arm, text in [({"dh": rows}, "joint joint1: " + says.format(-90)), ({"dh": {**rows, "degrees": True}}, ""),
+                      ({"joints": [turned]}, "joint j: " + says.format(45)),
+                      ({"joint_string": "RR", "tool": {"rpy": [7, 0, 0]}}, says.format(7)),
+                      ({"joint_string": "RR", "tool": {"rpy": [6.28, 0, 0]}}, "")]:
+        written("a.json", json.dumps({"name": "a", **arm}))
+        assert warnings(beeline("show", "a.json")) == (["a.json:1: " + text] if text else [])
+    written("a.json", json.dumps({"name": "a", "joints": [turned]}))
+    assert "rpy 0 0 45 rad (line 1): degrees?" in beeline("doctor", "a.json").out
+
+
 def test_a_floating_root_names_the_base(beeline, written):
     written("r.urdf", robot('<link name="world"/>', joint("root", "floating", "world", "a"), ARM))
     answer = beeline("show", "r.urdf", "--json")

@@ -229,5 +229,66 @@ TEST(HardQuestions, EndlessTurnsAreNotComplete) {
   EXPECT_TRUE(result.branches_complete);
 }
 
+/// An arm of seven joints between axes at right angles, one of them prismatic, three of them
+/// parallel; at q within its limits.
+Arm slider(testing::Random& random, const Configuration& q) {
+  const double lengths[] = {0, 0.2, 0.3, 0.5};
+  const auto length = [&] { return lengths[random.integer(0, 3)]; };
+  std::vector<Joint> joints;
+  const int slide = random.integer(0, 1) == 0 ? 6 : 0, parallel = random.integer(1, 3);
+  for (int k = 0; k < 7; ++k) {
+    const bool turned = k < parallel || k > parallel + 1;
+    Joint joint = dh_joint({.a = length(),
+                            .alpha = turned ? random.integer(1, 3) * pi / 2 : 0,
+                            .d = length(),
+                            .kind = k == slide ? JointKind::prismatic : JointKind::revolute},
+                           DhConvention::standard);
+    const double range = k == slide ? 0.01 : 4;
+    joints.push_back(testing::named(joint, "j" + std::to_string(k), q[k] - random.uniform(0, range),
+                                    q[k] + random.uniform(0, range)));
+  }
+  return {"slider", joints};
+}
+
+TEST(HardQuestions, ASlideThatAnEquationDoesNotDetermineMakesNothingUnreachable) {
+  testing::Random random;
+  int solved = 0;
+  const int asked = testing::cases(1000);
+  for (int i = 0; i < asked; ++i) {
+    Configuration q(7);
+    for (double& value : q) value = random.uniform(-2, 2);
+    q[random.integer(1, 5)] = random.integer(-1, 1) * pi / 2;
+    const Arm arm = slider(random, q);
+    const InverseResult result = inverse_kinematics(arm, forward_kinematics(arm, q));
+    solved += result ? 1 : 0;
+    EXPECT_NE(result.status, InverseStatus::orientation_unreachable) << i << result.reason;
+    EXPECT_NE(result.status, InverseStatus::unreachable) << i << result.reason;
+  }
+  EXPECT_GE(solved, asked * 9 / 10);
+}
+
+TEST(HardQuestions, ArmsOfAnySizeWithoutABoundedReachAreSolved) {
+  testing::Random random;
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    int solved = 0;
+    const int asked = testing::cases(100);
+    for (int i = 0; i < asked; ++i) {
+      std::vector<Joint> joints;
+      for (int k = 0; k < 7; ++k) {
+        const JointKind kind = k == 3 ? JointKind::helical : JointKind::revolute;
+        Joint joint = testing::random_joint(random, kind, "j" + std::to_string(k));
+        joint.offset.translation() *= scale;
+        joint.screw.head<3>() *= scale;
+        if (k == 3) joint.limits = {};
+        joints.push_back(joint);
+      }
+      const Arm arm("screwdriver", joints);
+      const Pose pose = forward_kinematics(arm, random.configuration(arm));
+      solved += inverse_kinematics(arm, pose) ? 1 : 0;
+    }
+    EXPECT_GE(solved, asked * 8 / 10) << scale;
+  }
+}
+
 }  // namespace
 }  // namespace beeline

@@ -144,7 +144,7 @@ class SelfMotion {
       for (int i = 0; i < 600; ++i) {
         Configuration difference = to - q;
         for (int k = 0; k < q.size(); ++k) {
-          if (!internal::is_periodic(arm_, k)) continue;
+          if (!arm_.periodic(k)) continue;
           difference[k] -= 2 * pi * std::round(difference[k] / (2 * pi));
         }
         const double distance = difference.cwiseAbs().maxCoeff();

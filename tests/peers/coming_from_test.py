@@ -61,13 +61,13 @@ def test_modern_robotics(random):
     screws = np.array([[0, 0, 1, 0, 0, 0], [0, 1, 0, -h1, 0, 0], [0, 1, 0, -h1, 0, l1],
                        [0, 1, 0, -h1, 0, l1 + l2], [0, 0, -1, -w1, l1 + l2, 0], [0, 1, 0, h2 - h1, 0, l1 + l2]])
     home = np.array([[-1, 0, 0, l1 + l2], [0, 0, 1, w1 + w2], [0, 1, 0, h1 - h2], [0, 0, 0, 1]])
-    linear_first = np.roll(screws, 3, axis=1)  # [v w], as in a Jacobian of Beeline
-    arm = beeline.Arm("ur5", [beeline.Joint(name=f"joint{i + 1}", screw=screw) for i, screw in enumerate(linear_first)],
-                      tool=home)  # T = exp(S1 q1) ... exp(S6 q6) M
+    arm = beeline.Arm.from_screws(screws, home, frame="space", order="wv", name="ur5")  # screws: Slist.T
 
     tool = arm.forward_kinematics([0, -np.pi / 2, 0, 0, np.pi / 2, 0])
     assert same(tool[:3, 3], [h2, w1, h1 + l1 + l2 + w2])  # as the book says
+    linear_first = arm.screws(frame="space", order="vw")  # [v w], as in a Jacobian of Beeline
     assert same(arm.jacobian(np.zeros(6), "space"), linear_first.T)  # JacobianSpace, linear first
+    assert same(arm.jacobian(np.zeros(6), "tool"), arm.screws(frame="body", order="vw").T)  # Blist
     q = random.uniform(-1, 1, 6)
     pose = arm.forward_kinematics(q)
     assert same(arm.jacobian(q, "tool"), beeline.adjoint(np.linalg.inv(pose)) @ arm.jacobian(q, "space"))  # JacobianBody

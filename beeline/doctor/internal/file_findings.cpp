@@ -9,6 +9,7 @@
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/internal/urdf_fault.h>
 #include <beeline/io/text/internal/urdf_tree.h>
+#include <beeline/io/text/internal/written_orientations.h>
 #include <beeline/io/text/internal/xacro.h>
 #include <beeline/io/text/json.h>
 #include <beeline/io/text/urdf.h>
@@ -16,7 +17,7 @@
 namespace beeline::internal {
 namespace {
 
-constexpr double one_turn = 6.4;  // rad
+constexpr double one_turn = plausible_angle;
 
 UrdfFile links_of_file(const std::string& path) {
   const std::string text = read_file(path);
@@ -26,18 +27,23 @@ UrdfFile links_of_file(const std::string& path) {
 
 std::string in_line(int line) { return "line " + std::to_string(line); }
 
+void find_in_rpy(const Vector3& rpy, int line, const std::string& place,
+                 std::vector<Finding>& found) {
+  if (!(rpy.cwiseAbs().maxCoeff() > one_turn)) return;
+  found.push_back({.kind = FindingKind::angle_unit,
+                   .place = place,
+                   .what = "rpy " + number(rpy.x()) + " " + number(rpy.y()) + " " +
+                           number(rpy.z()) + " rad (" + in_line(line) + "): degrees?",
+                   .remedy = "write radians"});
+}
+
 void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
   const UrdfFile file = links_of_file(path);
   constexpr std::size_t most_angles = 10;  // a file has many joints beside the chain
   std::size_t angles = 0;
   for (const UrdfFile::Joint& joint : file.joints) {
     if (joint.rpy.cwiseAbs().maxCoeff() > one_turn && ++angles <= most_angles) {
-      found.push_back({.kind = FindingKind::angle_unit,
-                       .place = "joint " + joint.name,
-                       .what = "rpy " + number(joint.rpy.x()) + " " + number(joint.rpy.y()) + " " +
-                               number(joint.rpy.z()) + " rad (" + in_line(joint.line) +
-                               "): degrees?",
-                       .remedy = "write radians"});
+      find_in_rpy(joint.rpy, joint.line, "joint " + joint.name, found);
     }
     const auto place = std::find_if(arm.joints().begin(), arm.joints().end(),
                                     [&](const Joint& own) { return own.name == joint.name; });
@@ -69,6 +75,9 @@ void find_in_urdf(const std::string& path, const Arm& arm, std::vector<Finding>&
 
 AngleUnit find_in_json(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
   const JsonDocument document(read_file(path), path);
+  for (const WrittenOrientation& each : written_orientations(document)) {
+    find_in_rpy(each.rpy, each.line, each.joint.empty() ? each.key : "joint " + each.joint, found);
+  }
   const Json* dh = document.find(document.root(), "dh");
   if (dh == nullptr) return AngleUnit::radians;
   const Json* degrees = document.find(*dh, "degrees");

@@ -28,7 +28,8 @@ struct PieperBranches {
   unsigned continuum = 0;  ///< mask of the lanes that represent a continuum of solutions
   /// Masks of the lanes in which joint d, e, f or a is free and has the seed's value.
   unsigned free[4] = {};
-  /// Mask of the lanes that may lack a solution because joint e is badly determined.
+  /// Mask of the lanes that may lack a solution because joint e or a displacement is badly
+  /// determined, or not at all.
   unsigned weak = 0;
   /// Mask of the lanes so close to the workspace boundary that two may be one solution.
   unsigned twin = 0;

@@ -149,7 +149,7 @@ HWY_INLINE void solve_middle(const PieperLoop& loop, const RigidMotion* k,
 HWY_INLINE void solve_joints(const PieperLoop& loop, const RigidMotion* k,
                              const PieperEquations& equations, const CosSine* preferred,
                              CosSine* joint, LaneStatus& status) {
-  status.twin = status.far = Lanes(1) < Lanes(0);
+  status.twin = status.far = status.lost = Lanes(1) < Lanes(0);
   for (LaneMask& mask : status.free) mask = status.twin;
   solve_pieper_equations(loop, equations, preferred, joint[2], joint[0], status);
   solve_middle(loop, k, equations, preferred[1], joint, status);
@@ -228,7 +228,7 @@ void pieper_branches_kernel(const PieperLoop& loop, const PieperRequest& request
   branches.found = bits(status.found);
   branches.continuum = bits(status.continuum() & status.found);
   for (int i = 0; i < 4; ++i) branches.free[i] = bits(status.free[i] & status.found);
-  branches.weak = bits(status.weak & !status.found & !status.far);
+  branches.weak = bits(((status.weak & !status.found) | status.lost) & !status.far);
   branches.twin = bits(status.twin & status.found);
   status.residual.store(branches.residual);
   to_coordinates(loop, request, joint, branches);

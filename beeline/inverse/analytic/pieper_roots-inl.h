@@ -31,6 +31,7 @@ struct LaneStatus {
   LaneMask free[4];  ///< joint d, e, f or a is free
   LaneMask twin;     ///< another lane has nearly the same solution
   LaneMask weak;     ///< joint e is badly determined
+  LaneMask lost;     ///< an equation does not determine a displacement
   LaneMask far;      ///< an equation has no solution, by much more than rounding
   Lanes residual;    ///< error of the loop-closure equation, metres plus radians
 
@@ -203,7 +204,15 @@ HWY_INLINE LaneMask solve_one(Lanes nx, Lanes ny, Lanes k, int joint, bool prism
                               const double* signs, double unit, const CosSine& preferred,
                               CosSine& unknown, LaneStatus& status) {
   const Lanes sign = Lanes::load(signs);
-  if (prismatic) return solve_displacement(nx, ny, k, sign, unknown, status.twin);
+  if (prismatic) {
+    const LaneMask found = solve_displacement(nx, ny, k, sign, unknown, status.twin);
+    // If all coefficients vanish, to rounding, any displacement may do.
+    constexpr double vanishing = 1e-7;
+    const LaneMask any =
+        (abs(nx) <= Lanes(vanishing)) & (ny == Lanes(0)) & (abs(k) <= Lanes(vanishing * unit));
+    status.lost = status.lost | any;
+    return found;
+  }
   LaneMask free;
   const LaneMask found =
       solve_rotation(nx, ny, k, sign, unit, preferred, unknown, free, status.twin);

@@ -235,14 +235,14 @@ std::optional<PieperSolver> PieperSolver::make(const Arm& arm, const Task& task)
 }
 
 const PieperSolver* PieperSolver::for_goal(const Chain& chain, const Pose& world_T_tool,
-                                           std::optional<PieperSolver>& own) const {
+                                           std::unique_ptr<PieperSolver>& own) const {
   if (!world_axis_) return this;
   const Vector3 seen = world_T_tool.linear().row(*world_axis_);
   const auto loop = pieper_loop(with_virtual_joints(chain, {seen.normalized()}), &world_T_tool);
   if (!loop) return nullptr;
-  own = *this;
+  own = std::make_unique<PieperSolver>(*this);
   own->loop_ = *loop;
-  return &*own;
+  return own.get();
 }
 
 PieperRequest PieperSolver::request(const ConfigurationRef& seed, const Configuration& weights,
@@ -297,7 +297,7 @@ std::vector<int> PieperSolver::free_joints(const PieperBranches& found) const {
 }
 
 void PieperSolver::configuration(const PieperBranches& found, int lane, double locked_value,
-                                 Eigen::Ref<Configuration> q) const {
+                                 double* q) const {
   for (int k = 0; k < 6; ++k) {
     if (coordinates_[k] != virtual_joint) q[coordinates_[k]] = found.q[k][lane];
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +44,7 @@ class PieperSolver {
   /// depends on the goal, and its solver is written to `own`, if the task leaves free a rotation
   /// about an axis of the world, which the tool sees as the goal turns it.
   const PieperSolver* for_goal(const Chain& chain, const Pose& world_T_tool,
-                               std::optional<PieperSolver>& own) const;
+                               std::unique_ptr<PieperSolver>& own) const;
 
   /// Whether there are virtual joints. If so, a continuum of solutions may concern only these.
   bool has_virtual_joints() const { return dof_ < 6; }
@@ -70,9 +71,8 @@ class PieperSolver {
   void branches(const Pose& world_T_tool, double locked_value, PieperRequest& request,
                 PieperBranches& found) const;
 
-  /// Writes lane `lane` of the branches as a configuration of the arm.
-  void configuration(const PieperBranches& found, int lane, double locked_value,
-                     Eigen::Ref<Configuration> q) const;
+  /// Writes lane `lane` of the branches to q, a configuration of the arm.
+  void configuration(const PieperBranches& found, int lane, double locked_value, double* q) const;
 
  private:
   static constexpr int virtual_joint = -1;

@@ -199,8 +199,14 @@ std::optional<Configuration> nearest_configuration(SolverState& state, const Req
 }
 
 /// Whether searches from many starts show that there is no solution. Helical joints have other
-/// poses in every turn, and the searches often miss the right turn.
-bool is_searched_by_starts(const Arm& arm) {
+/// poses in every turn, and the searches often miss the right turn; so they do far away, where only
+/// slides without limits lead.
+bool is_searched_by_starts(const Request& request) {
+  const Arm& arm = request.arm;
+  constexpr double far = 10;  // times the arm's size
+  const Arm::Reach& reach = arm.reach();
+  const double distance = (request.goal.translation() - reach.centre).norm();
+  if (!std::isfinite(reach.radius) && distance > far * unit_of_length(arm)) return false;
   return std::none_of(arm.joints().begin(), arm.joints().end(),
                       [](const Joint& joint) { return kind(joint) == JointKind::helical; });
 }
@@ -212,7 +218,7 @@ void set_nearest(const Request& request, bool proved, const Configuration& q, St
   result.nearest = nearest_miss(request, q);
   const Deviation& error = result.nearest->error;
   const bool has_position = position_part(request.task).size() > 0;
-  const bool shown = is_searched_by_starts(request.arm);
+  const bool shown = is_searched_by_starts(request);
   const bool away = shown && error.position > std::max(request.tolerance,
                                                        at_the_edge * unit_of_length(request.arm));
   if (has_position && (away || (proved && error.position > request.tolerance))) {
@@ -259,14 +265,14 @@ std::optional<bool> is_solved_beyond(const SolverState& state, const Request& re
       locked, outside, std::clamp(static_cast<int>(std::ceil(intervals)), 2, max_range_intervals));
   if (found.branch.lane < 0) return found.conclusive ? std::optional(false) : std::nullopt;
   Configuration q(request.arm.dof());
-  form.configuration(found.branch.found, found.branch.lane, found.branch.value, q);
+  form.configuration(found.branch.found, found.branch.lane, found.branch.value, q.data());
   return error_at(request, q) <= request.tolerance ? std::optional(true) : std::nullopt;
 }
 
 /// The status of a pose that has no solution, with or without limits.
 std::optional<InverseStatus> status_by_position(SolverState& state, const Request& request) {
   const Task position = position_part(request.task);
-  if (!is_searched_by_starts(request.arm)) return std::nullopt;
+  if (!is_searched_by_starts(request)) return std::nullopt;
   if (position.size() == 0 || position.size() == request.task.size()) return std::nullopt;
   const Configuration& q = nearest_of_searches(request, position, state, request.seed);
   if (!request.budget.complete()) return std::nullopt;

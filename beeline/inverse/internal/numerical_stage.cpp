@@ -203,10 +203,12 @@ void approach_seed(SolverState& state, const Request& request, StageResult& foun
       continue;
     }
     const double error = error_at(request, q);
-    const bool nearer = distance_from_seed(request, q) < distance_from_seed(request, each.q);
+    const double distance = distance_from_seed(request, q);
+    const bool nearer = distance < distance_from_seed(request, each.q);
     if (!nearer || error > request.tolerance) continue;
     each.q = q;  // in its memory
     each.error = error;
+    each.distance = distance;
     each.regular = false;
   }
 }

@@ -1,72 +1,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 
 #include <beeline/inverse/internal/analytic_family.h>
 #include <beeline/inverse/internal/numerical_stage.h>
 #include <beeline/inverse/internal/range_examination.h>
 #include <beeline/inverse/internal/self_motion_branches.h>
-#include <beeline/inverse/numerical/representative.h>
-#include <beeline/kinematics/forward.h>
-#include <beeline/kinematics/jacobian.h>
-#include <beeline/math/six_row_svd.h>
-#include <beeline/pose/so3.h>
 
 namespace beeline::internal {
 namespace {
-
-/// Returns the largest error of random configurations of the arm that the closed form recovers,
-/// infinite if it reports a continuum for all of them, or nothing if it does neither for one. That
-/// happens if axes of its loop coincide. Sixteen trials suffice, because it then fails almost
-/// everywhere. The tolerance 1e-4 is far below the distance of other solutions and far above
-/// rounding.
-std::optional<double> recovered_error(const PieperSolver& kept, const Arm& arm, const Task& task) {
-  constexpr int trials = 16;
-  std::optional<double> error;
-  std::optional<PieperSolver> own;
-  const Configuration zero = Configuration::Zero(arm.dof());
-  const Bounds open = no_bounds(arm);
-  PieperRequest loop = kept.request(zero, Configuration::Ones(arm.dof()), open.lower, open.upper);
-  Splitmix random(1);
-  for (int trial = 0; trial < trials; ++trial) {
-    Configuration q(arm.dof()), recovered(arm.dof());
-    for (double& value : q) value = 2 * random.next() - 1;
-    const Pose goal = forward_kinematics(arm, q);
-    const PieperSolver* form = kept.for_goal(chain_of(arm), goal, own);
-    if (form == nullptr) return std::nullopt;
-    PieperBranches found;
-    const double value = kept.locked() ? q[*kept.locked()] : 0;
-    form->branches(goal, value, loop, found);
-    bool met = found.continuum != 0;
-    for (int lane = 0; lane < 8 && !met; ++lane) {
-      if ((found.found >> lane & 1) == 0) continue;
-      form->configuration(found, lane, value, recovered);
-      met = same_posture(arm, q, recovered, 1e-4);
-      if (!met) continue;
-      const Deviation off = task_deviation(task, goal, forward_kinematics(arm, recovered));
-      error = std::max({error.value_or(0), off.position, off.orientation});
-    }
-    if (!met) return std::nullopt;
-  }
-  return error.value_or(Limits::none);
-}
-
-/// Whether an arm of six or more joints is singular at every configuration, such as a
-/// shoulder-elbow-wrist arm of six joints with its elbow locked. Its poses have no solution, or
-/// more than the closed form counts.
-bool is_singular_everywhere(const Arm& arm) {
-  if (arm.dof() < 6) return false;
-  // Of seven joints, the values of the locked one lose their solutions to rounding sooner.
-  const double rounding = arm.dof() == 6 ? 1e-12 : 1e-6;
-  Splitmix random(1);
-  Configuration q(arm.dof());
-  for (int trial = 0; trial < 3; ++trial) {
-    for (double& value : q) value = 2 * random.next() - 1;
-    const SixRowSvd svd = six_row_svd(jacobian(arm, q));
-    if (svd.singular_values[5] > rounding * svd.singular_values[0]) return false;
-  }
-  return true;
-}
 
 bool applies_pieper(SolverState& state) {
   const std::optional<int>& lock = state.options.lock;
@@ -93,35 +36,93 @@ LockedRequest locked_request(const PieperSolver& form, const Request& request) {
                        request.tolerance)};
 }
 
+/// The lanes of a mask, the nearest to the seed first.
+class NearestLanes {
+ public:
+  NearestLanes(const PieperBranches& branches, unsigned mask) {
+    for (; mask != 0; mask &= mask - 1) {
+      const int lane = std::countr_zero(mask);
+      int at = count_++;
+      for (; at > 0 && branches.distance[lanes_[at - 1]] > branches.distance[lane]; --at) {
+        lanes_[at] = lanes_[at - 1];
+      }
+      lanes_[at] = lane;
+    }
+  }
+  const int* begin() const { return lanes_; }
+  const int* end() const { return lanes_ + count_; }
+
+ private:
+  int lanes_[8];
+  int count_ = 0;
+};
+
+/// Whether a lane's loop closes.
+bool loop_closes(const LockedRequest& locked, const PieperBranches& branches, int lane) {
+  return branches.residual[lane] <= locked.loop.max_residual;
+}
+
+/// Adds the lanes of the mask that are solutions as they are, and new ones: regular and within
+/// limits. Returns the other lanes of the mask.
+unsigned add_plain_lanes(const LockedRequest& locked, const LockedBranch& branch, unsigned mask,
+                         StageResult& found) {
+  const PieperSolver& form = locked.form;
+  const Request& request = locked.request;
+  const PieperBranches& branches = branch.found;
+  if (!request.quick || form.has_free_joints()) return mask;
+  double away = 0;
+  if (form.locked()) {
+    const int k = *form.locked();
+    away = request.weights[k] * std::pow(branch.value - request.seed[k], 2);
+  }
+  const double accepted = request.accepted_error();
+  const unsigned plain = mask & branches.within & ~(branches.twin | branches.continuum);
+  for (const int lane : NearestLanes(branches, plain)) {
+    if (!loop_closes(locked, branches, lane)) continue;
+    Solution& added = found.solutions->add();
+    added.q.resize(request.arm.dof());
+    form.configuration(branches, lane, branch.value, added.q.data());
+    added.error =
+        request.trusts_closed_loops ? branches.residual[lane] : error_at(request, added.q);
+    added.distance = std::sqrt(branches.distance[lane] + away);
+    added.regular = true;
+    if (added.error <= accepted) {
+      mask &= ~(1u << lane);
+    } else {
+      found.solutions->resize(found.solutions->size() - 1);
+    }
+  }
+  return mask;
+}
+
 /// Adds the lanes of the mask that have a solution.
 void add_lanes(const LockedRequest& locked, const LockedBranch& branch, unsigned lanes,
                StageResult& found) {
   const PieperSolver& form = locked.form;
   const Request& request = locked.request;
   const PieperBranches& branches = branch.found;
-  Configuration& q = found.solutions->candidate;
-  q.resize(request.arm.dof());
-  for (unsigned rest = branches.found & lanes; rest != 0; rest &= rest - 1) {
+  unsigned rest = add_plain_lanes(locked, branch, branches.found & lanes, found);
+  for (; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
     const auto has = [lane](unsigned mask) { return (mask >> lane & 1) != 0; };
-    const bool closes = branches.residual[lane] <= locked.loop.max_residual;
     // A lane that is outside by less may be within limits once it is corrected.
     constexpr double slack = 1e-6;
     const bool outside = !has(branches.within) && branches.excess[lane] >= slack;
     const bool regular = !has(branches.twin | branches.continuum);
-    const bool certain = closes && regular && (outside || has(branches.within));
+    const bool certain =
+        loop_closes(locked, branches, lane) && regular && (outside || has(branches.within));
     if (request.quick && certain && outside) continue;
     if (request.options.lock && !certain) {  // corrections would move the locked joint
       found.unconstrained.doubtful = true;
       continue;
     }
-    form.configuration(branches, lane, branch.value, q);
-    Knowledge known{.continuum = !form.has_virtual_joints() && has(branches.continuum),
-                    .regular = regular && !form.has_free_joints(),
-                    .within = has(branches.within)};
-    if (request.trusts_closed_loops && closes && known.within)
-      known.error = branches.residual[lane];
-    add_candidate(request, q, found, known);
+    Configuration& q = found.solutions->candidate;
+    q.resize(request.arm.dof());
+    form.configuration(branches, lane, branch.value, q.data());
+    add_candidate(request, q, found,
+                  {.continuum = !form.has_virtual_joints() && has(branches.continuum),
+                   .regular = regular && !form.has_free_joints(),
+                   .within = has(branches.within)});
   }
 }
 
@@ -146,7 +147,7 @@ void solve_grid(LockedRequest& locked, StageResult& found) {
 }
 
 /// Whether the branch that exceeds the limits least is a solution.
-bool closes(const Request& request, const LeastOutside& outside) {
+bool solves(const Request& request, const LeastOutside& outside) {
   if (outside.count == 0) return false;
   const Eigen::Map<const Configuration> q(outside.q[0], request.arm.dof());
   return error_at(request, q) <= request.tolerance;
@@ -158,7 +159,7 @@ void add_outside(const Request& request, const LeastOutside& outside, const Leas
   UnconstrainedResult& evidence = found.unconstrained;
   if (request.quick) {
     evidence.range_examined &= !request.options.pose_tolerance;
-    evidence.solved_outside = closes(request, outside) || closes(request, in_range);
+    evidence.solved_outside = solves(request, outside) || solves(request, in_range);
     evidence.doubtful = outside.count + in_range.count > 0 && !evidence.solved_outside;
     return;
   }
@@ -244,7 +245,7 @@ bool solve_near(SolverState& state, LockedRequest& locked, StageResult& found) {
         nearest_of_few(locked, tool_is_near, solved ? square(q - request.seed) : Limits::none);
     if (branch.lane >= 0) {
       Eigen::Matrix<double, 7, 1> start;
-      locked.form.configuration(branch.found, branch.lane, branch.value, start);
+      locked.form.configuration(branch.found, branch.lane, branch.value, start.data());
       const bool converges = solution_from(state, request, start.data(), false, q);
       if (!converges || square(q - start) > same * same) {  // next to a singularity
         add_branch(locked, branch, found);
@@ -298,7 +299,7 @@ bool add_self_motions(const LockedRequest& locked, const LockedBranch& branch, S
       solution.miss = closed ? there.excess[lane] : no_solution + there.residual[lane];
       if (solution.miss > 0) continue;
       solution.q.resize(request.arm.dof());
-      form.configuration(there, lane, branch.value, solution.q);
+      form.configuration(there, lane, branch.value, solution.q.data());
     }
   };
   std::vector<Configuration> branches = self_motion_branches(request, values, solutions_at);
@@ -321,10 +322,12 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
     value = std::clamp(request.seed[k], request.bounds.lower[k], request.bounds.upper[k]);
   }
   LockedBranch at;
-  evaluate(locked, value, at);
+  at.value = value;
+  form.branches(request.goal, value, locked.loop, at.found);
   const PieperBranches& branches = at.found;
   // Distances would depend on the values chosen for free joints.
   if (request.quick && !request.options.all && is_verified(state) && !form.has_free_joints()) {
+    at.lane = nearest_lane(locked.loop, branches);
     return add_branch(locked, at, found);
   }
   unsigned lanes = all_lanes;
@@ -339,15 +342,14 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
   evidence.complete = !form.has_virtual_joints() || branches.continuum == 0;
   // A grid over one free joint, refined between its points, represents every branch. A grid over
   // two may miss a small branch, and proves nothing without a solution.
-  const bool represented =
-      (lanes & branches.continuum) == 0 && form.free_joints(branches).size() == 1;
-  evidence.branches_complete = branches.continuum == 0 || represented;
+  evidence.branches_complete = branches.continuum == 0 || ((lanes & branches.continuum) == 0 &&
+                                                           form.free_joints(branches).size() == 1);
   evidence.doubtful |= !is_verified(state) || nearly_found(form, branches);
 }
 
 void solve_pieper(SolverState& state, const Request& request, StageResult& found) {
   const PieperSolver& kept = state.pieper_solver();
-  std::optional<PieperSolver> own;
+  std::unique_ptr<PieperSolver> own;
   const PieperSolver* form = kept.for_goal(chain_of(request.arm), request.goal, own);
   if (form == nullptr) {
     found.unconstrained.doubtful = true;
@@ -362,17 +364,6 @@ void solve_pieper(SolverState& state, const Request& request, StageResult& found
 }
 
 }  // namespace
-
-PieperForm PieperForm::make(const Arm& arm, const Task& task) {
-  PieperForm form;
-  if (!is_singular_everywhere(arm)) form.solver = PieperSolver::make(arm, task);
-  if (!form.solver) return form;
-  const std::optional<double> error = recovered_error(*form.solver, arm, task);
-  form.verified = error.has_value();
-  form.error = error.value_or(Limits::none);
-  form.name = form.solver->family();
-  return form;
-}
 
 const AnalyticFamily pieper_family{applies_pieper, pieper_name, solve_pieper};
 

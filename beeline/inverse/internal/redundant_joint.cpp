@@ -61,8 +61,7 @@ void LeastOutside::insert(const PieperSolver& form, const LockedBranch& branch, 
     std::copy_n(q[index - 1], 7, q[index]);
   }
   excess[index] = exceeds;
-  form.configuration(branch.found, lane, branch.value,
-                     Eigen::Map<Eigen::Matrix<double, 7, 1>>(q[index]));
+  form.configuration(branch.found, lane, branch.value, q[index]);
 }
 
 LockedRange locked_range(const Arm& arm, const Bounds& bounds, const ConfigurationRef& seed,

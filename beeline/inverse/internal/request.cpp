@@ -112,7 +112,7 @@ double distance_from_seed(const Request& request, const ConfigurationRef& q) {
 void wrap_unlimited_angles(const Arm& arm, const Bounds& bounds, double beyond, Configuration& q) {
   for (int k = 0; k < q.size(); ++k) {
     const bool unlimited = !std::isfinite(bounds.lower[k]) && !std::isfinite(bounds.upper[k]);
-    if (unlimited && std::abs(q[k]) > beyond && is_periodic(arm, k)) q[k] = wrap_angle(q[k]);
+    if (unlimited && std::abs(q[k]) > beyond && arm.periodic(k)) q[k] = wrap_angle(q[k]);
   }
 }
 

@@ -74,7 +74,7 @@ class SelfMotionBranches {
     constexpr double far = std::numbers::pi / 2;
     for (int k = 0; k < a.size(); ++k) {
       const double revolutions =
-          is_periodic(request_.arm, k) ? std::round((b[k] - a[k]) / revolution) : 0;
+          request_.arm.periodic(k) ? std::round((b[k] - a[k]) / revolution) : 0;
       const double next = b[k] - revolution * revolutions;
       if (std::abs(next - a[k]) > far) return false;
       if (next < request_.bounds.lower[k] || next > request_.bounds.upper[k]) return false;

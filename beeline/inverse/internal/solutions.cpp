@@ -12,15 +12,11 @@
 namespace beeline::internal {
 namespace {
 
-/// Whether two solutions may coincide. At a tolerance of at most `fine`, two solutions coincide
-/// only next to a singular solution. Inlined, because most pairs end here.
-bool may_coincide(const Request& request, const Solution& a, const Solution& b) {
-  constexpr double fine = 1e-10;
-  return request.tolerance > fine || !(a.regular || b.regular);
-}
+/// At a tolerance of at most this, two solutions coincide only next to a singular solution.
+constexpr double fine_tolerance = 1e-10;
 
 /// Whether two solutions are one to the tolerance: the configuration halfway between them nearly
-/// solves the pose too. This is the case if several solutions coincide. Requires may_coincide().
+/// solves the pose too. This is the case if several solutions coincide.
 bool coincide(const Request& request, const Solution& a, const Solution& b) {
   constexpr double near = 0.01;  // radians or metres
   // Factor on the tolerance; the solutions themselves have errors up to 1.
@@ -33,20 +29,27 @@ bool coincide(const Request& request, const Solution& a, const Solution& b) {
 
 void sort_by_distance(const Request& request, Solutions& solutions) {
   if (solutions.size() < 2) return;
-  for (Solution& each : solutions) each.distance = distance_from_seed(request, each.q);
-  std::sort(solutions.begin(), solutions.end(), [](const Solution& a, const Solution& b) {
+  for (Solution& each : solutions) {
+    if (std::isnan(each.distance)) each.distance = distance_from_seed(request, each.q);
+  }
+  const auto before = [](const Solution& a, const Solution& b) {
     if (a.distance != b.distance) return a.distance < b.distance;
     return std::lexicographical_compare(a.q.begin(), a.q.end(), b.q.begin(), b.q.end());
-  });
+  };
+  // Closed forms add the nearest first.
+  if (std::is_sorted(solutions.begin(), solutions.end(), before)) return;
+  std::sort(solutions.begin(), solutions.end(), before);
 }
 
 /// Keeps the first of solutions that coincide.
 void merge(const Request& request, Solutions& solutions) {
   Solution* end = solutions.begin();
+  const bool fine = request.tolerance <= fine_tolerance;
   for (Solution& next : solutions) {
-    const bool again = std::any_of(solutions.begin(), end, [&](const Solution& other) {
-      return may_coincide(request, other, next) && coincide(request, other, next);
-    });
+    const bool again =
+        !(fine && next.regular) && std::any_of(solutions.begin(), end, [&](const Solution& other) {
+          return !(fine && other.regular) && coincide(request, other, next);
+        });
     if (again) continue;
     if (end != &next) std::swap(*end, next);
     ++end;

@@ -15,16 +15,19 @@ struct Solution {
   Configuration q;
   double error = 0;      ///< larger of the position and orientation error, metres or radians
   bool regular = false;  ///< whether it is known to be far from singular ones
-  double distance = 0;   ///< distance from the seed, for sort_solutions()
+  /// Distance from the seed; NaN: sort_solutions() computes it.
+  double distance = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The solutions of a request, in memory that the thread uses again.
 class Solutions {
  public:
-  /// Appends a solution with values of an earlier request.
+  /// Appends a solution with values of an earlier request, but its distance is not known.
   Solution& add() {
     if (count_ == kept_.size()) kept_.emplace_back();
-    return kept_[count_++];
+    Solution& added = kept_[count_++];
+    added.distance = std::numeric_limits<double>::quiet_NaN();
+    return added;
   }
   void resize(std::size_t fewer) { count_ = fewer; }
   std::size_t size() const { return count_; }

@@ -10,7 +10,6 @@
 #include <beeline/inverse/internal/stages.h>
 #include <beeline/inverse/numerical/levenberg_marquardt.h>
 #include <beeline/math/decompositions.h>
-#include <beeline/model/internal/periodic_coordinate.h>
 
 namespace beeline::internal {
 namespace {
@@ -112,7 +111,7 @@ bool has_endless_turns(const Request& request) {
   for (int k = 0; k < request.arm.dof(); ++k) {
     const bool limited =
         std::isfinite(request.bounds.lower[k]) && std::isfinite(request.bounds.upper[k]);
-    if (is_periodic(request.arm, k) && !limited) return true;
+    if (request.arm.periodic(k) && !limited) return true;
   }
   return false;
 }
@@ -207,7 +206,8 @@ int solve_into(SolverState& state, const Pose& world_T_tool, const Configuration
                BudgetMeter& budget, Eigen::Ref<Eigen::MatrixXd> solutions) {
   Eigen::Index count = 0;
   const auto write = [&](const Configuration& q) {
-    if (count < solutions.cols()) solutions.col(count++) = q;
+    if (count == solutions.cols()) return;
+    std::copy_n(q.data(), q.size(), solutions.col(count++).data());
   };
   {
     Configuration wrapped;

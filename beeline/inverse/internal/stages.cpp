@@ -32,6 +32,7 @@ bool add_seed(const Request& request, StageResult& found) {
   const bool regular = !is_new && same->regular;
   Solution& solution = is_new ? solutions.add() : *same;
   solution.q = request.seed;
+  solution.distance = 0;
   solution.error = error_at(request, request.seed);
   solution.regular = regular;
   UnconstrainedResult& evidence = found.unconstrained;

@@ -5,7 +5,6 @@
 #include <beeline/inverse/numerical/bounds.h>
 
 namespace beeline::internal {
-
 Bounds bounds_of(const Arm& arm) {
   Bounds bounds = no_bounds(arm);
   for (int k = 0; k < arm.dof(); ++k) {
@@ -49,8 +48,7 @@ void check_task(const Arm& arm, const Task& task, const Bounds& bounds) {
 double unit_of_length(const Arm& arm) {
   constexpr double rounding = 1e-12;  // metres and relative: a tool that never moves has no reach
   const Arm::Reach& reach = arm.reach();
-  const bool moves = reach.radius > rounding * std::max(1.0, reach.centre.norm());
-  return std::isfinite(reach.radius) && moves ? reach.radius : 1;
+  return reach.size > rounding * std::max(1.0, reach.centre.norm()) ? reach.size : 1;
 }
 
 }  // namespace beeline::internal

@@ -26,8 +26,8 @@ double excess(const Bounds& bounds, const Configuration& q);
 /// Throws Error unless the task has rows, in the base or tool frame, and the bounds fit the arm.
 void check_task(const Arm& arm, const Task& task, const Bounds& bounds);
 
-/// Returns the length that is equivalent to one radian in sums of errors: the radius of the arm's
-/// reach, or 1 m if that is infinite or zero.
+/// Returns the length that is equivalent to one radian in sums of errors, metres: Arm::Reach::size,
+/// or 1 if that is zero.
 double unit_of_length(const Arm& arm);
 
 }  // namespace beeline::internal

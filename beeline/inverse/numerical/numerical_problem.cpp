@@ -35,7 +35,7 @@ NumericalProblem numerical_problem(const Arm& arm, const Task& task, const Bound
     if (coordinate.slides) coordinate.unit = problem.length;
     coordinate.lower = coordinate.lowest = bounds.lower[k] / coordinate.unit;
     coordinate.upper = coordinate.highest = bounds.upper[k] / coordinate.unit;
-    coordinate.periodic = is_periodic(arm, k);
+    coordinate.periodic = arm.periodic(k);
     if (coordinate.periodic && coordinate.upper - coordinate.lower >= revolution) {
       coordinate.wraps = std::isfinite(coordinate.lower) || std::isfinite(coordinate.upper);
       coordinate.lowest = -HUGE_VAL;

@@ -29,7 +29,7 @@ struct NumericalProblem {
     bool wraps = false;                ///< whether a step beyond a bound continues one turn away
     double lowest = 0, highest = 0;    ///< the bounds of a step: infinite if it wraps
     bool slides = false;               ///< whether the joint is prismatic
-    bool periodic = false;             ///< see is_periodic()
+    bool periodic = false;             ///< see Arm::periodic()
     int first_link = 0, end_link = 0;  ///< its links are links[first_link] to links[end_link - 1]
   };
   std::vector<Coordinate> coordinates;

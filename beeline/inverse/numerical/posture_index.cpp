@@ -34,7 +34,7 @@ bool PostureIndex::contains(const Arm& arm, std::size_t count, const Known& know
     }
     return false;
   }
-  const bool periodic = is_periodic(arm, 0);
+  const bool periodic = arm.periodic(0);
   for (; indexed_ < count; ++indexed_)
     cells_.emplace(cell_of(known(indexed_)[0], periodic), indexed_);
   // Rounding of many revolutions may move a value by one more cell.

@@ -33,8 +33,7 @@ void move_to_nearest(const Arm& arm, const ConfigurationRef& reference, const Bo
                      Configuration& q) {
   for (int k = 0; k < arm.dof(); ++k) {
     const double lower = bounds.lower[k], upper = bounds.upper[k];
-    if (is_periodic(arm, k))
-      q[k] = nearest_angle_within(q[k], reference[k], lower, upper, rounding);
+    if (arm.periodic(k)) q[k] = nearest_angle_within(q[k], reference[k], lower, upper, rounding);
     const double on_bound = std::clamp(q[k], lower, upper);
     if (std::abs(on_bound - q[k]) <= rounding) q[k] = on_bound;
   }
@@ -55,7 +54,7 @@ std::vector<Configuration> every_representative(const Arm& arm,
   std::vector<Configuration> all = postures;
   for (int k = 0; k < arm.dof(); ++k) {
     const double lower = bounds.lower[k], upper = bounds.upper[k];
-    if (!is_periodic(arm, k) || !std::isfinite(lower) || !std::isfinite(upper)) continue;
+    if (!arm.periodic(k) || !std::isfinite(lower) || !std::isfinite(upper)) continue;
     std::vector<Configuration> result;
     for (const Configuration& q : all) {
       const double first = std::ceil((lower - rounding - q[k]) / revolution);
@@ -77,7 +76,7 @@ std::vector<Configuration> every_representative(const Arm& arm,
 bool same_posture(const Arm& arm, const Configuration& a, const Configuration& b,
                   double tolerance) {
   for (int k = 0; k < arm.dof(); ++k) {
-    const double apart = is_periodic(arm, k) ? angle_difference(a[k], b[k]) : a[k] - b[k];
+    const double apart = arm.periodic(k) ? angle_difference(a[k], b[k]) : a[k] - b[k];
     if (!(std::abs(apart) <= tolerance)) return false;
   }
   return true;

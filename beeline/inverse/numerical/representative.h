@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <beeline/inverse/numerical/bounds.h>
-#include <beeline/model/internal/periodic_coordinate.h>
 
 // Configurations that differ by multiples of 2 pi in some joints are the same posture of the arm.
 // These functions compute the representatives of a posture within bounds.

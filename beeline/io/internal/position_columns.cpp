@@ -5,6 +5,7 @@
 #include <beeline/io/internal/position_columns.h>
 #include <beeline/io/internal/recorded_units.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/model/catalog.h>
 
 namespace beeline::internal {
 namespace {

@@ -105,9 +105,19 @@ void RowTimes::check_days(const std::vector<double>& times) const {
               "seconds");
 }
 
-/// Adds notes on comments about times that are not clear, unless something else gives the unit.
+/// Adds a note on a unit other than seconds that a comment gives, or on comments that are not clear
+/// unless something else gives the unit.
 void RowTimes::note_comments(std::vector<RecordingNote>& notes) const {
   const StatedUnits& stated = rows_.stated();
+  const bool names_column = std::any_of(
+      stated.columns.begin(), stated.columns.end(),
+      [&](const UnitOfColumn& of_column) { return of_column.column == columns_->index; });
+  const bool commented = names_column || (unit_ == stated.time && columns_->unit == nullptr);
+  if (commented && !given_ && unit_->si != 1) {
+    notes.push_back({.kind = RecordingNoteKind::named_time_unit,
+                     .path = path_,
+                     .time_unit = time_unit_of(*unit_)});
+  }
   if (given_ || stated.time != nullptr || columns_->unit != nullptr || columns_->finer) return;
   for (const UnclearComment& unclear : stated.unclear) {
     if (!unclear.times) continue;

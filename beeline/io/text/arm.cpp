@@ -23,8 +23,8 @@ using internal::ArmFormat;
 using internal::in_quotes;
 
 Arm parse_json(std::string_view text, const std::string& path, const ChainEnds& /*ends*/,
-               std::vector<ReadWarning>* /*warnings*/) {
-  return arm_from_json(text, path);
+               std::vector<ReadWarning>* warnings) {
+  return arm_from_json(text, path, warnings);
 }
 
 /// Every format of arm files. A new reader is one row here: read_arm(), read_arm_shapes(), the
@@ -154,6 +154,7 @@ std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
     case ReadWarningKind::repeated_element:
     case ReadWarningKind::range_ignored:
     case ReadWarningKind::constraint_ignored:
+    case ReadWarningKind::likely_degrees:
     case ReadWarningKind::further_faults:
       return clause(warning);
     case ReadWarningKind::unknown_type:

@@ -56,6 +56,8 @@ enum class ReadWarningKind {
   unknown_attribute,   ///< `element` of `joint` has `attribute`, which URDF does not define; so do
                        ///< `count` more joints
   repeated_element,    ///< `joint` has `count` of `element`, of which the first one counts
+  likely_degrees,      ///< an angle of `joint`, or of the base or the tool if it is empty,
+                       ///< `numbers`, is more than a revolution in radians
   further_faults       ///< there are `count` more
 };
 std::string name(ReadWarningKind kind);
@@ -162,11 +164,16 @@ Arm arm_from_joint_string(std::string_view text);
 ///      "joint_string": "RRP:1,0.5,0.2"
 ///      "dh": {"convention": "standard" or "modified", "degrees": true or false,
 ///             "rows": [{"name", "type", "a", "alpha", "d", "theta", "limits"}, ...]}
+///      "screws": {"frame": "space" or "body", "home": POSE,
+///                 "rows": [{"name", "w", "v" or "point" and "pitch", "limits"}, ...]}
+/// the last without "base" and "tool": see arm_from_screws().
 /// "degrees": alpha, theta and the limits of revolute rows are in degrees, as in makers' tables.
 /// Throws FileError for anything else; it names the line and the value: `joints[2].limits.lower`.
 Arm read_arm_json(const std::string& path);
-/// The same from a text; `path` names it in messages.
-Arm arm_from_json(std::string_view text, const std::string& path);
+/// The same from a text; `path` names it in messages. Adds a warning of an angle that may be in
+/// degrees.
+Arm arm_from_json(std::string_view text, const std::string& path,
+                  std::vector<ReadWarning>* warnings = nullptr);
 
 /// Returns the arm as JSON, described by its joints; it reads back exactly.
 /// Throws Error for a name that is empty, longer than 1000 bytes, not UTF-8, or that contains
@@ -316,8 +323,10 @@ struct JointLimits {
 ///     `joint1: limit: {lower, upper, velocity}`. Notes name the file's other joints and its
 ///     default scaling factors, which are not applied.
 ///   - JSON: {"joint1": {"lower", "upper", "velocity", "acceleration", "jerk"}, ...}; all optional.
-/// Throws FileError for anything else, with the line: a file without any joint of the arm, an
-/// unknown key, a number that is not finite, in quotes or out of range, lower above upper.
+/// Joints of a built-in arm may have its makers' names too: joint_namings().
+/// Throws FileError for anything else, with the line: a file without any joint of the arm, a joint
+/// that is given twice, an unknown key, a number that is not finite, in quotes or out of range,
+/// lower above upper.
 JointLimits read_joint_limits(const std::string& path, const Arm& arm);
 /// The same from a text, which is JSON if `path` ends in .json or, without .yaml and .yml, if the
 /// text begins with a brace.

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <beeline/error.h>
 #include <beeline/io/text/arm.h>
@@ -11,6 +13,9 @@
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/pose_json.h>
+#include <beeline/io/text/internal/screws_from_json.h>
+#include <beeline/io/text/internal/written_orientations.h>
+#include <beeline/io/text/pose_list.h>
 #include <beeline/model/internal/ranges.h>
 
 namespace beeline {
@@ -18,7 +23,7 @@ namespace {
 
 using internal::check_name;
 
-const std::vector<std::string> descriptions{"joints", "joint_string", "dh"};
+const std::vector<std::string> descriptions{"joints", "joint_string", "dh", "screws"};
 
 std::vector<Joint> joints_from_list(const JsonDocument& document, const Json& list) {
   std::vector<Joint> joints;
@@ -51,7 +56,32 @@ std::vector<Joint> joints_from_dh(const JsonDocument& document, const Json& dh) 
   return joints;
 }
 
-std::vector<Joint> joints_of(const JsonDocument& document) {
+/// The joints and the tool of a document.
+struct Description {
+  std::vector<Joint> joints;
+  std::optional<Pose> tool;
+};
+
+/// The arm of "screws", whose rows and home pose are in the world.
+Description description_of_screws(const JsonDocument& document, const Json& screws) {
+  for (const char* key : {"base", "tool"}) {
+    const Json* found = document.find(document.root(), key);
+    if (found == nullptr) continue;
+    document.refuse(*found,
+                    "is not for screws: these and the home pose of the tool are in the world");
+  }
+  const Arm arm = internal::arm_from_screws_json(
+      document, screws, document.text(document.need(document.root(), "name")));
+  return {arm.joints(), arm.tool()};
+}
+
+std::optional<Pose> tool_of(const JsonDocument& document) {
+  const Json* tool = document.find(document.root(), "tool");
+  if (tool == nullptr) return std::nullopt;
+  return internal::pose_from_json(document, *tool);
+}
+
+Description description_of(const JsonDocument& document) {
   const Json& root = document.root();
   std::vector<std::string> given;
   for (const std::string& key : descriptions) {
@@ -62,10 +92,12 @@ std::vector<Joint> joints_of(const JsonDocument& document) {
                               (given.empty() ? "none" : listed(given)));
   }
   const Json& description = document.need(root, given.front());
-  if (given.front() == "joints") return joints_from_list(document, description);
-  if (given.front() == "dh") return joints_from_dh(document, description);
+  if (given.front() == "screws") return description_of_screws(document, description);
+  if (given.front() == "joints")
+    return {joints_from_list(document, description), tool_of(document)};
+  if (given.front() == "dh") return {joints_from_dh(document, description), tool_of(document)};
   try {
-    return arm_from_joint_string(document.text(description)).joints();
+    return {arm_from_joint_string(document.text(description)).joints(), tool_of(document)};
   } catch (const FileError&) {
     throw;
   } catch (const Error& error) {
@@ -93,6 +125,36 @@ ControllerFrames controller_frames(const JsonDocument& document, const Pose& too
           .flange_assumed = is_assumed(document, "flange")};
 }
 
+/// Adds a warning of the first angle in radians that is more than a revolution.
+void warn_of_degrees(const JsonDocument& document, const std::vector<Joint>& joints,
+                     std::vector<ReadWarning>& warnings) {
+  const auto warns = [&](double angle, const std::string& joint, int line) {
+    if (std::abs(angle) <= plausible_angle) return false;
+    warnings.push_back({.kind = ReadWarningKind::likely_degrees,
+                        .path = document.path(),
+                        .line = line,
+                        .joint = joint,
+                        .numbers = {angle}});
+    return true;
+  };
+  for (const internal::WrittenOrientation& each : internal::written_orientations(document)) {
+    Eigen::Index largest = 0;
+    each.rpy.cwiseAbs().maxCoeff(&largest);
+    if (warns(each.rpy[largest], each.joint, each.line)) return;
+  }
+  const Json* dh = document.find(document.root(), "dh");
+  const Json* degrees = dh == nullptr ? nullptr : document.find(*dh, "degrees");
+  if (dh == nullptr || (degrees != nullptr && document.truth(*degrees))) return;
+  std::size_t i = 0;
+  for (const Json& row : document.items(document.need(*dh, "rows"))) {
+    const std::string& name = joints[i++].name;
+    for (const char* key : {"alpha", "theta"}) {
+      const Json* angle = document.find(row, key);
+      if (angle != nullptr && warns(document.number(*angle), name, row.line)) return;
+    }
+  }
+}
+
 /// Refuses lists of names that are none. They are for the catalogue, which an arm's name selects.
 void check_joint_names(const JsonDocument& document, const Json& lists) {
   for (const Json& list : document.items(lists)) {
@@ -103,33 +165,33 @@ void check_joint_names(const JsonDocument& document, const Json& lists) {
 
 }  // namespace
 
-Arm arm_from_json(std::string_view text, const std::string& path) {
+Arm arm_from_json(std::string_view text, const std::string& path,
+                  std::vector<ReadWarning>* warnings) {
   const JsonDocument document(text, path);
   const Json& root = document.root();
   document.check_keys(
       root, {"name", "maker", "model", "source", "note", "base", "tool", "controller_base",
              "controller_base_assumed", "flange", "flange_assumed", "joints", "joint_string", "dh",
-             "joint_names", "shapes", "shapes_source"});
+             "screws", "joint_names", "shapes", "shapes_source"});
   for (const char* key : {"maker", "model", "source", "note", "shapes_source"}) {
     if (const Json* found = document.find(root, key)) document.text(*found);
   }
   if (const Json* names = document.find(root, "joint_names")) check_joint_names(document, *names);
   const Json* base = document.find(root, "base");
-  const Json* tool = document.find(root, "tool");
   const std::string& name = document.text(document.need(root, "name"));
-  std::vector<Joint> joints = joints_of(document);
-  if (joints.size() > internal::max_joints) {
-    document.refuse(root, "has " + std::to_string(joints.size()) + " joints; at most " +
+  Description found = description_of(document);
+  if (found.joints.size() > internal::max_joints) {
+    document.refuse(root, "has " + std::to_string(found.joints.size()) + " joints; at most " +
                               std::to_string(internal::max_joints) + " are accepted");
   }
+  if (warnings != nullptr) warn_of_degrees(document, found.joints, *warnings);
   const Pose base_pose =
       base == nullptr ? Pose::Identity() : internal::pose_from_json(document, *base);
-  const Pose tool_pose =
-      tool == nullptr ? Pose::Identity() : internal::pose_from_json(document, *tool);
-  const ControllerFrames controller = controller_frames(document, tool_pose);
+  const Pose tool = found.tool.value_or(Pose::Identity());
+  const ControllerFrames controller = controller_frames(document, tool);
   try {
     check_name(name, "the arm's name");
-    return {name, std::move(joints), tool_pose, base_pose, controller};
+    return {name, std::move(found.joints), tool, base_pose, controller};
   } catch (const Error& error) {
     throw FileError(path, 0, error.what());
   }

@@ -9,6 +9,7 @@
 #include <beeline/io/text/internal/csv_rows.h>
 #include <beeline/io/text/internal/name.h>
 #include <beeline/io/text/internal/pose_form.h>
+#include <beeline/io/text/internal/stated_units.h>
 #include <beeline/io/text/numbers.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/pose/se3.h>
@@ -30,6 +31,14 @@ std::vector<Names> forms_without_names(const PoseFormat& format) {
     if (reads_without_names(columns, format)) forms.push_back(columns.names);
   }
   return forms;
+}
+
+/// Whether rotation vectors are in degrees.
+bool is_vector_in_degrees(const Names& columns, const std::vector<double>& factors) {
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    if (columns[i] == "rx" && factors[i] != 1) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -110,6 +119,8 @@ PoseList poses_from_csv(std::string_view text, const std::string& path, const Po
       column_of.push_back(static_cast<std::size_t>(column - header.begin()));
     }
     const std::vector<double> factors = internal::pose_factors(named, format, rows.stated(), path);
+    list.vector_in_degrees = is_vector_in_degrees(header, factors);
+    list.commented_units = internal::commented_units(named, rows.stated(), factors);
     std::vector<double> values(columns.names.size());
     for (std::vector<double> row; rows.next(row);) {
       for (std::size_t i = 0; i < values.size(); ++i) {

@@ -77,6 +77,9 @@ struct PoseList {
   std::vector<std::string> columns = {};  ///< names of the columns of the form
   bool has_header = true;                 ///< false: the form follows from the number of columns
   std::optional<PoseForm> form = std::nullopt;  ///< std::nullopt: planar or positions
+  bool vector_in_degrees = false;  ///< rx, ry, rz are in degrees, as their names or a comment say
+  /// Units other than m and rad that a comment gives, mm and deg.
+  std::vector<std::string> commented_units = {};
 };
 
 /// The columns by which a file gives a pose, in the order of numbers without names.
@@ -133,6 +136,8 @@ enum class PoseNoteKind {
   no_header,             ///< the table has no header; its columns are read as `columns`
   likely_degrees,        ///< an angle of `value` rad is more than a revolution
   long_rotation_vector,  ///< a rotation vector of `value` rad is more than a revolution
+  vector_in_degrees,     ///< rx, ry, rz in degrees are read as a rotation vector, not as rpy
+  commented_unit,        ///< a comment gives the units `columns`
   likely_millimetres,    ///< a position `value` m away is probably in millimetres
 };
 std::string name(PoseNoteKind kind);

@@ -35,6 +35,10 @@ std::vector<PoseNote> notes_on(const PoseList& list, const PoseFormat& format,
   if (!list.has_header) {
     notes.push_back({.kind = PoseNoteKind::no_header, .columns = list.columns});
   }
+  if (list.vector_in_degrees) notes.push_back({.kind = PoseNoteKind::vector_in_degrees});
+  if (!list.commented_units.empty()) {
+    notes.push_back({.kind = PoseNoteKind::commented_unit, .columns = list.commented_units});
+  }
   if (const auto note = angle_note(list.max_angle, list.form, format)) notes.push_back(*note);
   if (!sphere) return notes;
   for (const Pose& pose : list.poses) {
@@ -58,6 +62,13 @@ std::string sentence(const PoseNote& note, const std::string& where, OptionStyle
       return where + ": a rotation vector of " + number(note.value) +
              " rad is more than a revolution; rx, ry, rz are in radians" +
              (command ? ", also with --degrees" : "");
+    case PoseNoteKind::vector_in_degrees:
+      return where +
+             ": rx, ry, rz in degrees are read as a rotation vector; name rotations about "
+             "the fixed axes X, Y, Z roll, pitch, yaw";
+    case PoseNoteKind::commented_unit:
+      return where + ": columns without a unit are read in " + listed(note.columns) +
+             ", as a comment says";
     case PoseNoteKind::likely_millimetres:
       return where + ": a position " + number(note.value) + " m away is probably in millimetres; " +
              (command ? "--millimetres" : "millimetres=True") + " reads millimetres";

@@ -24,7 +24,7 @@ std::vector<bool> cyclic_coordinates(const Arm& arm, bool any_range) {
   std::vector<bool> cyclic;
   for (int k = 0; k < arm.dof(); ++k) {
     const double range = arm.limits(k).upper - arm.limits(k).lower;
-    cyclic.push_back(is_periodic(arm, k) &&
+    cyclic.push_back(arm.periodic(k) &&
                      (std::isinf(range) || (any_range && range >= 2 * revolution)));
   }
   return cyclic;

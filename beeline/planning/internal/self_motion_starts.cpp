@@ -93,7 +93,7 @@ InverseMethod method_for_few_poses(const Arm& arm, const Task& task) {
 std::vector<Node> self_motion_starts(const Arm& arm, const Task& task, const Pose& pose,
                                      SelfMotion& motion, BudgetMeter& budget) {
   std::vector<bool> periodic;
-  for (int k = 0; k < arm.dof(); ++k) periodic.push_back(is_periodic(arm, k));
+  for (int k = 0; k < arm.dof(); ++k) periodic.push_back(arm.periodic(k));
   SelfMotion unlimited(arm, task, motion.bounds(), periodic, 2 * motion.step());
   std::vector<SelfMotionCurve> curves;
   std::vector<Node> starts;

@@ -72,7 +72,7 @@ bool is_near_singular(const Arm& arm, const Task& task, const Configuration& q) 
 Bounds bounds_without_turns(const Arm& arm) {
   Bounds bounds = bounds_of(arm);
   for (int k = 0; k < arm.dof(); ++k) {
-    if (!is_periodic(arm, k)) continue;
+    if (!arm.periodic(k)) continue;
     bounds.lower[k] = -Limits::none;
     bounds.upper[k] = Limits::none;
   }

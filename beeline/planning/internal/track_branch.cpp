@@ -115,7 +115,7 @@ void keep_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
 void fit_into_limits(const Arm& arm, const ToolPath& path, Branch& branch) {
   const Bounds limits = bounds_of(arm);
   for (int k = 0; k < arm.dof(); ++k) {
-    if (!is_periodic(arm, k)) continue;
+    if (!arm.periodic(k)) continue;
     add_to_coordinate(branch, k, best_shift(branch, k, limits.lower[k], limits.upper[k]));
   }
   keep_limits(arm, path, branch);

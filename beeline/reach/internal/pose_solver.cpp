@@ -77,7 +77,7 @@ void PoseSolver::add_branches(const Pose& world_T_tool, double value) {
   for (unsigned rest = branches.within; rest != 0; rest &= rest - 1) {
     const int lane = std::countr_zero(rest);
     if (!(branches.residual[lane] <= loop_.max_residual)) continue;
-    form_->configuration(branches, lane, value, found_.col(count_));
+    form_->configuration(branches, lane, value, found_.col(count_).data());
     if (is_new(found_.col(count_), first)) ++count_;
   }
   keep_free(first);

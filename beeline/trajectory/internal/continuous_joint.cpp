@@ -1,4 +1,3 @@
-#include <beeline/model/internal/periodic_coordinate.h>
 #include <beeline/trajectory/internal/continuous_joint.h>
 
 namespace beeline::internal {
@@ -6,7 +5,7 @@ namespace beeline::internal {
 bool is_continuous(const Arm& arm, int k) {
   const Limits& limits = arm.limits(k);
   const bool limited = limits.lower > -Limits::none || limits.upper < Limits::none;
-  return !limited && is_periodic(arm, k);
+  return !limited && arm.periodic(k);
 }
 
 }  // namespace beeline::internal

@@ -5,7 +5,8 @@
 
 namespace beeline::internal {
 
-/// Whether coordinate k is_periodic() and has no position limits: nothing stops its revolutions.
+/// Whether coordinate k is Arm::periodic() and has no position limits: nothing stops its
+/// revolutions.
 bool is_continuous(const Arm& arm, int k);
 
 }  // namespace beeline::internal

@@ -166,9 +166,15 @@ Names names_meant(const Arm& arm, const Names& names) {
   }
   std::string text = "the trajectory does not fit arm " + arm.name() + ":";
   if (!missing.empty()) text += " it lacks " + listed(missing) + ";";
+  for (const Joint& joint : arm.joints()) {
+    if (!joint.mimic || std::erase(unknown, joint.name) == 0) continue;
+    text += " " + joint.name + " follows " + joint.mimic->leader + ";";
+  }
   if (!unknown.empty()) text += " the arm has no " + listed(unknown) + ";";
   text += " the arm's joints are " + listed(joints);
-  if (!unknown.empty()) {
+  if (missing.empty()) {
+    text += "; a joint map (joint_map, --joint-map) of these names leaves other columns out";
+  } else if (!unknown.empty()) {
     text += "; a joint map (joint_map, --joint-map) names the trajectory's joints in this order";
   }
   throw Error(text);
@@ -248,21 +254,3 @@ JointColumns joint_columns(const Arm& arm, const Names& names, const JointMap& j
 }
 
 }  // namespace beeline::internal
-
-std::vector<std::vector<std::string>> beeline::joint_namings(const Arm& arm) {
-  std::vector<std::vector<std::string>> namings{arm.joint_names()};
-  for (const BuiltInArm& about : built_in_arms()) {
-    if (about.name != arm.name()) continue;
-    const std::vector<std::string> own = namings.front();
-    const std::vector<std::string> last = built_in(about.name).joint_names();
-    if (own.size() < last.size() || !std::equal(last.rbegin(), last.rend(), own.rbegin())) continue;
-    for (const std::vector<std::string>& of_arm : about.joint_names) {
-      std::vector<std::string> naming(own.begin(),
-                                      own.end() - static_cast<std::ptrdiff_t>(last.size()));
-      naming.insert(naming.end(), of_arm.begin(),
-                    of_arm.end());  // behind a rail's or base's joints
-      namings.push_back(std::move(naming));
-    }
-  }
-  return namings;
-}

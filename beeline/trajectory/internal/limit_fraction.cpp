@@ -34,7 +34,9 @@ void take_interval(CoordinateFraction& largest, std::span<const Limits> limits,
     const double fraction =
         largest.exact ? exact_fraction(trajectory, k, coordinate, order, limit, largest.fraction)
                       : needed_derivative(trajectory, k, coordinate, order) / limit;
-    if (fraction > largest.fraction) largest = {fraction, coordinate, k, largest.exact};
+    if (!(fraction > largest.fraction)) continue;
+    // A divided difference is of the jump at the next sample.
+    largest = {fraction, coordinate, largest.exact ? k : k + 1, largest.exact};
   }
 }
 

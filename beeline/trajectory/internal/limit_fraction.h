@@ -16,7 +16,7 @@ std::vector<Limits> motion_limits_of(const Arm& arm);
 struct CoordinateFraction {
   double fraction = 0;
   int coordinate = 0;
-  std::size_t sample = 0;  ///< the one before it
+  std::size_t sample = 0;  ///< the one before it; of a divided difference, where it jumps
   bool exact = true;       ///< see LimitFraction
 };
 

@@ -23,7 +23,7 @@ TEST(PostureIndex, AgreesWithTheComparisonWithAll) {
       if (!known.empty() && random.integer(0, 2) > 0) {  // one that is known, or nearly
         q = known[static_cast<std::size_t>(random.integer(0, static_cast<int>(known.size()) - 1))];
         for (Eigen::Index k = 0; k < q.size(); ++k) {
-          if (is_periodic(arm, static_cast<int>(k))) {
+          if (arm.periodic(k)) {
             q[k] += 2 * std::numbers::pi * random.integer(-3, 3);
           }
           q[k] += random.uniform(-1.2e-6, 1.2e-6);

@@ -79,14 +79,14 @@ TEST(Representative, SlidesScrewsAndUnevenFollowersAreNeverWrapped) {
   Joint slide = turn, screw = turn;
   slide.screw = translation_screw(Vector3::UnitX());
   screw.screw = rotation_screw(Vector3::UnitX(), Vector3::Zero(), 0.1);
-  EXPECT_TRUE(is_periodic(Arm("turn", {turn}), 0));
-  EXPECT_FALSE(is_periodic(Arm("slide", {slide}), 0));
-  EXPECT_FALSE(is_periodic(Arm("screw", {screw}), 0));
+  EXPECT_TRUE(Arm("turn", {turn}).periodic(0));
+  EXPECT_FALSE(Arm("slide", {slide}).periodic(0));
+  EXPECT_FALSE(Arm("screw", {screw}).periodic(0));
   for (const double ratio : {0.5, 1.0, 2.0, -1.0, -0.3}) {
     const Arm arm("followed", {turn, follower(turn, "follower", turn.name, ratio)});
-    EXPECT_EQ(is_periodic(arm, 0), ratio == std::round(ratio)) << ratio;
+    EXPECT_EQ(arm.periodic(0), ratio == std::round(ratio)) << ratio;
   }
-  EXPECT_FALSE(is_periodic(Arm("rack", {turn, follower(slide, "rack", turn.name, 1)}), 0));
+  EXPECT_FALSE(Arm("rack", {turn, follower(slide, "rack", turn.name, 1)}).periodic(0));
   const Arm sliding("slide", {slide});
   const Configuration seven = Configuration::Constant(1, 7);
   EXPECT_EQ(nearest_representative(sliding, seven, Configuration::Zero(1), no_bounds(sliding)),

@@ -191,6 +191,48 @@ TEST(ArmJson, JointStringsAndDhTablesDescribeArmsToo) {
   EXPECT_EQ(slide.joints()[0].name, "q");
 }
 
+/// An arm whose screws have these rows.
+Arm with_screws(const std::string& rows, const std::string& more = "") {
+  return parse_arm(R"({"name": "a", "screws": {"frame": "space", "home": {"xyz": [2, 0, 0]},)"
+                   R"( "rows": [)" +
+                   rows + "]}" + more + "}");
+}
+
+TEST(ArmJson, ScrewsDescribeArms) {
+  const Arm arm = with_screws(R"({"w": [0, 0, 1], "v": [0, 0, 0], "limits": {"upper": 1}},
+      {"name": "elbow", "w": [0, 0, 1], "v": [0, -1, 0]},
+      {"w": [0, 0, 0], "v": [0, 0, 1]},
+      {"w": [0, 0, 1], "point": [2, 0, 0], "pitch": 0.01})");
+  EXPECT_EQ(arm.joint_names(), (std::vector<std::string>{"joint1", "elbow", "joint3", "joint4"}));
+  EXPECT_EQ(arm.limits(0).upper, 1);
+  EXPECT_EQ(pitch(arm.joints()[3]), 0.01);
+  EXPECT_EQ(home_pose(arm).translation(), Vector3(2, 0, 0));
+  const Vector3 tool = forward_kinematics(arm, {0, std::numbers::pi / 2, 0.5, 1}).translation();
+  EXPECT_TRUE(tool.isApprox(Vector3(1, 1, 0.51))) << tool;
+  EXPECT_EQ(arm_to_json(arm), arm_to_json(parse_arm(arm_to_json(arm))));
+}
+
+TEST(ArmJson, MistakesInScrewsAreNamed) {
+  EXPECT_REFUSED(with_screws(R"({"w": [0, 0, 1]})"),
+                 "screws.rows[0] needs the key \"v\", or \"point\", a point of the axis");
+  EXPECT_REFUSED(with_screws(R"({"w": [0, 0, 1], "v": [0, 0, 0], "point": [0, 0, 0]})"),
+                 "screws.rows[0] has both v and point; give one of them");
+  EXPECT_REFUSED(with_screws(R"({"w": [0, 0, 1], "v": [0, 0, 0], "pitch": 1})"),
+                 "screws.rows[0].pitch is for a row with a point; v contains the pitch");
+  EXPECT_REFUSED(with_screws(R"({"w": [0, 0, 0], "point": [0, 0, 0]})"),
+                 "screws.rows[0].point is for rotations; a translation has w = 0 and v");
+  EXPECT_REFUSED(with_screws(R"({"w": [0, 0, 1], "point": [1, 0, 0], "pitch": 1e-10})"),
+                 "screws.rows[0].pitch is a pitch of 0 to rounding; leave it out");
+  EXPECT_REFUSED(with_screws(R"({"v": [0, 0, 1]})"), "screws.rows[0] needs the key \"w\"");
+  EXPECT_REFUSED(with_screws(R"({"w": [0, 0, 2], "v": [0, 0, 0]})"),
+                 "screws is no arm: the screw of joint1 has w of length 2");
+  EXPECT_REFUSED(with_screws(""), "screws is no arm: arm a has no joints");
+  EXPECT_REFUSED(with_screws(R"({"w": [0, 0, 1], "v": [0, 0, 0]})", R"(, "tool": {})"),
+                 "tool is not for screws: these and the home pose of the tool are in the world");
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "screws": {"frame": "tool", "home": {}, "rows": []}})"),
+                 "screws.frame must be space (screws in the world) or body (in the tool)");
+}
+
 std::string with_joint(const std::string& joint) {
   return R"({"name": "a", "joints": [{"name": "k", "type": "revolute"},)"
          "\n" +
@@ -262,7 +304,7 @@ TEST(ArmJson, MistakesInTheWholeAreNamed) {
   EXPECT_REFUSED(parse_arm("[]"), "the document must be an object, not a list");
   EXPECT_REFUSED(parse_arm(R"({"joints": []})"), "the document needs the key \"name\"");
   EXPECT_REFUSED(parse_arm(R"({"name": "a"})"),
-                 "needs exactly one of the keys joints, joint_string, dh; it has none");
+                 "needs exactly one of the keys joints, joint_string, dh, screws; it has none");
   EXPECT_REFUSED(parse_arm(R"({"name": "a", "joints": [], "dh": {}})"), "it has joints, dh");
   EXPECT_REFUSED(parse_arm(R"({"name": "a", "joints": []})"), "a.json: arm a has no joints");
   EXPECT_REFUSED(parse_arm(R"({"name": "", "joint_string": "R"})"), "the arm's name is empty");

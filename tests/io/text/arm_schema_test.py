@@ -30,7 +30,16 @@ POSE = {"xyz": [1, 2, 3], "rpy": [0.1, 0.2, 0.3]}
 TURN = {"qw": 1, "qx": 0, "qy": 0, "qz": 0}
 MATRIX = [[1, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]
 
+TURNING = {"w": [0, 0, 1], "v": [0, 0, 0]}
+
+
+def screws(*rows, **keys):
+    return {"name": "a", "screws": {"frame": "body", "home": POSE, "rows": list(rows)}, **keys}
+
+
 GOOD = [
+    screws(TURNING, {"name": "s", "w": [0, 0, 0], "v": [1, 0, 0], "limits": {"lower": 0}}),
+    screws({"w": [0, 1, 0], "point": [1, 2, 3]}, {"w": [0, 1, 0], "point": [1, 2, 3], "pitch": 0.1}),
     {"name": "a", "joint_string": "RRP:1,0.5@90,0"},
     {"name": "a", "joint_string": "RHS", "base": POSE, "tool": {"matrix": MATRIX}},
     {"name": "a", "joint_string": "RR", "base": POSE, "controller_base": POSE, "flange": {"xyz": [0, 0, 0.1]}},
@@ -57,6 +66,18 @@ GOOD = [
 ]
 
 BAD = [
+    screws(),
+    screws({"w": [0, 0, 1]}),
+    screws({"v": [0, 0, 1]}),
+    screws({**TURNING, "point": [0, 0, 0]}),
+    screws({**TURNING, "pitch": 1}),
+    screws({"w": [0, 0], "v": [0, 0, 0]}),
+    screws(TURNING, tool=POSE),
+    screws(TURNING, base=POSE),
+    screws(TURNING, joints=[]),
+    {"name": "a", "screws": {"home": POSE, "rows": [TURNING]}},
+    {"name": "a", "screws": {"frame": "body", "rows": [TURNING]}},
+    {"name": "a", "screws": {"frame": "tool", "home": POSE, "rows": [TURNING]}},
     [],
     {"joint_string": "RR"},
     {"name": "", "joint_string": "RR"},

@@ -225,9 +225,9 @@ TEST(JointLimits, RefuseOtherLayouts) {
   EXPECT_REFUSED(from_yaml("joint_limits: {joint1: [2]}"), "joint1 must be a map such as");
   EXPECT_REFUSED(from_yaml("joint_limits: {a: {}}\nb:\n  joint_limits: {}"),
                  "l.yaml:3: joint_limits is given twice, here and in line 1");
-  EXPECT_REFUSED(from_yaml("joint_limits: {panda_joint1: {max_velocity: 2}}"),
+  EXPECT_REFUSED(from_yaml("joint_limits: {left_joint1: {max_velocity: 2}}"),
                  "has no joint of arm panda (joint1, joint2,");
-  EXPECT_REFUSED(from_yaml("joint_limits: {panda_joint1: {}}"), "its joints are panda_joint1");
+  EXPECT_REFUSED(from_yaml("joint_limits: {left_joint1: {}}"), "its joints are left_joint1");
 }
 
 }  // namespace

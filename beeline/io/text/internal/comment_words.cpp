@@ -10,10 +10,10 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
 
-/// The text in lower case, with single blanks, none of them beside a slash.
+/// The text with single blanks, none of them beside a slash.
 std::string normalised(std::string_view comment) {
   std::string text;
-  for (const char c : lower_case(comment)) {
+  for (const char c : comment) {
     const bool blank = c == ' ' || c == '\t' || c == '\r';
     if (blank && (text.empty() || text.back() == ' ' || text.back() == '/')) continue;
     if (c == '/' && text.ends_with(' ')) text.pop_back();
@@ -83,8 +83,10 @@ using ColumnIndices = std::unordered_map<std::string, std::optional<std::size_t>
 /// Splits a comment into words.
 class WordReader {
  public:
-  WordReader(std::string_view text, const ColumnIndices& columns, bool poses)
-      : text_(text), columns_(columns), poses_(poses), raw_(raw_words(text)) {}
+  /// `written` is the text before it was converted to lower case.
+  WordReader(std::string_view text, std::string_view written, const ColumnIndices& columns,
+             bool poses)
+      : text_(text), written_(written), columns_(columns), poses_(poses), raw_(raw_words(text)) {}
 
   std::vector<CommentWord> read() {
     while (at_ < raw_.size()) {
@@ -201,7 +203,7 @@ class WordReader {
       found.power = found.foreign->power;
       size = word.size();
     }
-    if (is_no_unit(word)) return false;
+    if (is_no_unit(word) || is_initial(begin + size)) return false;
     if (found.unit == nullptr || found.unit->quantity != Quantity::time) {
       const RateText rate = rate_at_front(text_.substr(begin + size));
       found.power += rate.power;
@@ -225,11 +227,21 @@ class WordReader {
 
   bool has_rate(std::size_t at) const { return rate_at_front(text_.substr(at)).size > 0; }
 
-  /// `second joint`, `degrees of freedom`, `deg C`.
+  /// Whether a unit of one or two letters is the beginning of a name: `M. Meier`, `Ms. Jones`.
+  bool is_initial(std::size_t end) const {
+    if (end - raw_[at_].begin > 2 || end + 2 >= text_.size()) return false;
+    if (text_[end] != '.' || text_[end + 1] != ' ') return false;
+    const auto is_capital = [this](std::size_t at) { return written_[at] != text_[at]; };
+    return is_capital(raw_[at_].begin) && is_capital(end + 2) &&
+           unit_called(raw(at_ + 2)) == nullptr;
+  }
+
+  /// `second joint`, `degrees of freedom`, `second` alone, which numbers a row.
   bool is_no_unit(std::string_view word) const {
     const std::string_view next = raw(at_ + 1);
     const bool of_joint = (meaning_of(next, poses_).subject & joint_subject) != 0;
-    return next == "of" || (word == "second" && of_joint);
+    if (next == "." && raw(at_ + 2) == "of") return true;  // `deg. of freedom`
+    return next == "of" || (word == "second" && (of_joint || raw_.size() == 1));
   }
 
   /// The size of a unit with another unit of times behind a slash: `deg/min`.
@@ -270,7 +282,7 @@ class WordReader {
     return true;
   }
 
-  std::string_view text_;
+  std::string_view text_, written_;
   const ColumnIndices& columns_;
   bool poses_;
   std::vector<RawWord> raw_;
@@ -322,8 +334,8 @@ ColumnWords::ColumnWords(const std::vector<std::string>& columns) {
 }
 
 std::vector<CommentWord> ColumnWords::words_of(std::string_view comment) const {
-  const std::string text = normalised(comment);
-  std::vector<CommentWord> words = WordReader(text, columns_, poses_).read();
+  const std::string written = normalised(comment), text = lower_case(written);
+  std::vector<CommentWord> words = WordReader(text, written, columns_, poses_).read();
   keep_attached_columns(words, poses_);
   for (CommentWord& word : words) {
     word.has_times = word.kind == WordKind::column && has_times_[word.column];

@@ -208,7 +208,11 @@ void CsvRows::read_units() {
     break;
   }
   stated_ = stated_units(comments_, columns_, path_);
-  name_units(stated_, columns_);
+  try {
+    name_units(stated_, columns_);
+  } catch (const Error& error) {
+    throw FileError(path_, line(), error.what());
+  }
 }
 
 /// Takes the units if the line is a row of them. `fault` says why a row of units is not read.

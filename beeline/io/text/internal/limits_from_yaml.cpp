@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include <beeline/io/text/internal/joint_from_yaml.h>
 #include <beeline/io/text/internal/limits_from_yaml.h>
 #include <beeline/io/text/internal/name.h>
+#include <beeline/model/catalog.h>
 
 namespace beeline::internal {
 namespace {
@@ -26,7 +28,10 @@ class LimitsReader {
       if (joint == nullptr) {
         others.push_back(printable(member.key));
       } else {
-        result_.joints[joint->name] = overrides(member, *joint);
+        const bool is_new = result_.joints.emplace(joint->name, overrides(member, *joint)).second;
+        if (!is_new) {
+          throw FileError(path_, member.line, "joint " + joint->name + " has limits twice");
+        }
       }
     }
     if (result_.joints.empty()) {
@@ -93,7 +98,9 @@ class LimitsReader {
     const auto& joints = arm_.joints();
     const auto found = std::find_if(joints.begin(), joints.end(),
                                     [&](const Joint& known) { return known.name == name; });
-    return found == joints.end() ? nullptr : &*found;
+    if (found != joints.end()) return &*found;
+    const std::optional<int> coordinate = coordinate_called(arm_, name);
+    return coordinate ? &arm_.joint_of(*coordinate) : nullptr;
   }
 
   /// The joint of the arm that the file calls `name`.

@@ -41,13 +41,19 @@ std::string ignored(const ReadWarning& fault, const std::string& what, const std
               : ", in " + std::to_string(more) + " more joint" + (more == 1 ? "" : "s") + " too");
 }
 
-/// The fact of text that is ignored, or of a joint that is constant.
+/// The fact of text that is ignored or doubtful, or of a joint that is constant.
 std::string ignored_fact(const ReadWarning& fault) {
   const std::string has = fault.joint.empty() ? "has " : "joint " + fault.joint + " has ";
   switch (fault.kind) {
+    case ReadWarningKind::constant_mimic:
+      return "joint " + fault.joint + " mimics joint " + printable(fault.value) +
+             ", which is fixed: it is constant at " + number(fault.numbers[0]);
     case ReadWarningKind::zero_multiplier:
       return "joint " + fault.joint + " mimics joint " + printable(fault.value) +
              " with multiplier 0: it is constant at " + number(fault.numbers[0]);
+    case ReadWarningKind::likely_degrees:
+      return (fault.joint.empty() ? "" : "joint " + fault.joint + ": ") + "an angle of " +
+             number(fault.numbers[0]) + " rad is more than a revolution; angles are in radians";
     case ReadWarningKind::unknown_element:
       return has + "an " + ignored(fault, "element", fault.element);
     case ReadWarningKind::unknown_attribute:
@@ -167,9 +173,8 @@ std::string fact(const ReadWarning& fault) {
     case ReadWarningKind::constraint_ignored:
       return mjcf_fact(fault);
     case ReadWarningKind::constant_mimic:
-      return "joint " + fault.joint + " mimics joint " + printable(fault.value) +
-             ", which is fixed: it is constant at " + number(fault.numbers[0]);
     case ReadWarningKind::zero_multiplier:
+    case ReadWarningKind::likely_degrees:
     case ReadWarningKind::unknown_element:
     case ReadWarningKind::unknown_attribute:
     case ReadWarningKind::repeated_element:

@@ -140,6 +140,10 @@ void name_units(const StatedUnits& stated, std::vector<std::string>& columns) {
     const Unit* const own = unit->quantity == Quantity::time
                                 ? split_at_time_unit(name).unit
                                 : columns_in_units({name}, {}).units.front();
+    if (own != nullptr && own != unit && unit->quantity == Quantity::time) {
+      throw Error("column " + printable(name) + " is in " + name_of(*own) +
+                  ", but a comment says " + name_of(*unit));
+    }
     if (own != unit) name += " [" + text + "]";
   }
 }
@@ -186,6 +190,24 @@ std::vector<double> factors_to(const std::vector<std::string>& wanted,
     factors.push_back(unit == nullptr ? 1 : unit->si / target->si);
   }
   return factors;
+}
+
+std::vector<std::string> commented_units(const ColumnsInUnits& columns, const StatedUnits& stated,
+                                         const std::vector<double>& factors) {
+  const auto is_commented = [&](std::size_t i) {
+    return columns.units[i] == nullptr ||
+           std::any_of(stated.columns.begin(), stated.columns.end(),
+                       [i](const UnitOfColumn& of_column) { return of_column.column == i; });
+  };
+  std::vector<std::string> names;
+  for (const Unit& unit : all_units()) {
+    bool any = false;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      any = any || (is_commented(i) && factors[i] != 1 && factors[i] == unit.si);
+    }
+    if (any && unit.quantity != Quantity::time) names.push_back(name_of(unit));
+  }
+  return names;
 }
 
 }  // namespace beeline::internal

@@ -71,7 +71,8 @@ struct StatedUnits {
 StatedUnits stated_units(const std::vector<Comment>& comments,
                          const std::vector<std::string>& columns, const std::string& path);
 
-/// Writes the units of single columns behind their names: `joint1 [deg]`.
+/// Writes the units of single columns behind their names: `joint1 [deg]`. Throws Error for times
+/// whose name has another unit.
 void name_units(const StatedUnits& stated, std::vector<std::string>& columns);
 
 /// Throws FileError for a comment on this quantity, of this derivative, with a unit that is not
@@ -89,5 +90,10 @@ void check_clear(const StatedUnits& stated, Quantity quantity, const std::string
 std::vector<double> factors_to(const std::vector<std::string>& wanted,
                                const ColumnsInUnits& columns, const StatedUnits& stated,
                                const std::string& path);
+
+/// Returns the names of the units, mm and deg, that comments give to columns. `factors` come from
+/// factors_to() with metres and radians.
+std::vector<std::string> commented_units(const ColumnsInUnits& columns, const StatedUnits& stated,
+                                         const std::vector<double>& factors);
 
 }  // namespace beeline::internal

@@ -4,6 +4,7 @@
 #include <beeline/io/text/internal/urdf_chain.h>
 #include <beeline/io/text/internal/urdf_fault.h>
 #include <beeline/io/text/internal/urdf_gripper.h>
+#include <beeline/io/text/pose_list.h>
 
 namespace beeline::internal {
 namespace {
@@ -74,6 +75,21 @@ void warn_of_faults(const UrdfFile& file, const UrdfTree& tree,
       {.kind = ReadWarningKind::further_faults, .path = file.path, .count = further});
 }
 
+/// Adds a warning of the first angle of the chain that is more than a revolution.
+void warn_of_degrees(const UrdfFile& file, const Chain& chain, std::vector<ReadWarning>& warnings) {
+  for (const ChainJoint& place : chain) {
+    const UrdfFile::Joint& joint = file.joints[place.index];
+    Eigen::Index largest = 0;
+    if (joint.rpy.cwiseAbs().maxCoeff(&largest) <= plausible_angle) continue;
+    warnings.push_back({.kind = ReadWarningKind::likely_degrees,
+                        .path = file.path,
+                        .line = joint.line,
+                        .joint = joint.name,
+                        .numbers = {joint.rpy[largest]}});
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<ChainJoint> cut_chain(const UrdfFile& file, const ChainEnds& ends,
@@ -103,6 +119,7 @@ std::vector<ChainJoint> cut_chain(const UrdfTree& tree, const ChainEnds& ends,
     if (const UrdfFault* fault = tree.first_fault()) throw error_of(file, *fault);
   }
   check_faults(file, tree, chain, !ends.tip.empty());
+  warn_of_degrees(file, chain, found);
   if (warnings == nullptr) return chain;
   warnings->insert(warnings->end(), found.begin(), found.end());
   warn_of_faults(file, tree, *warnings);

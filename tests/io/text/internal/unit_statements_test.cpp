@@ -148,6 +148,19 @@ TEST(UnitStatements, OfOtherThingsAreIgnored) {
   }
 }
 
+TEST(UnitStatements, NamesOfPeopleAreNone) {
+  for (const char* comment : {"Ms. Jones", "M. Meier", "recorded by M. Meier, 1 May", "S. Rossi",
+                              "by S. Rossi. M. Meier checked it", "second"}) {
+    EXPECT_EQ(summary(stated_in(comment, joints), joints), "") << comment;
+    EXPECT_EQ(summary(stated_in(comment, poses), poses), "") << comment;
+  }
+  EXPECT_EQ(summary(stated_in("t in ms. Joints in deg.", joints), joints), "deg t: ms");
+  EXPECT_EQ(summary(stated_in("ms. Joints in rad.", joints), joints), "rad time ms");
+  EXPECT_EQ(summary(stated_in("MM. Deg.", poses), poses), "deg mm");
+  EXPECT_EQ(summary(stated_in("ms.", joints), joints), "time ms");
+  EXPECT_EQ(summary(stated_in("mm. deg.", poses), poses), "deg mm");
+}
+
 TEST(UnitStatements, InOtherUnitsOrUnclear) {
   for (const auto& [comment, says] :
        std::vector<Statement>{// Units that are not read.

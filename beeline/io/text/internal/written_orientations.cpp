@@ -1,0 +1,24 @@
+#include <beeline/io/text/internal/pose_json.h>
+#include <beeline/io/text/internal/written_orientations.h>
+
+namespace beeline::internal {
+
+std::vector<WrittenOrientation> written_orientations(const JsonDocument& document) {
+  std::vector<WrittenOrientation> found;
+  const auto add = [&](const Json& object, const char* key, const std::string& joint) {
+    const Json* pose = document.find(object, key);
+    const Json* rpy = pose == nullptr ? nullptr : document.find(*pose, "rpy");
+    if (rpy != nullptr) found.push_back({joint, key, vector_from_json(document, *rpy), pose->line});
+  };
+  const Json& root = document.root();
+  for (const char* key : {"base", "tool", "controller_base", "flange"}) add(root, key, "");
+  if (const Json* screws = document.find(root, "screws")) add(*screws, "home", "");
+  if (const Json* joints = document.find(root, "joints")) {
+    for (const Json& joint : document.items(*joints)) {
+      add(joint, "origin", document.text(document.need(joint, "name")));
+    }
+  }
+  return found;
+}
+
+}  // namespace beeline::internal
