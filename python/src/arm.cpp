@@ -110,9 +110,9 @@ void bind_descriptions(nb::class_<Arm>& arm) {
       arm,
       [](nb::handle text) {
         std::vector<ReadWarning> warnings;
-        Arm arm = arm_from_json(Value<std::string>::from(text, "text"), "JSON", &warnings);
+        Arm read = arm_from_json(Value<std::string>::from(text, "text"), "JSON", &warnings);
         for (const ReadWarning& warning : warnings) warn_of_input(sentence(warning));
-        return arm;
+        return read;
       },
       json, nb::arg("text"));
 }

@@ -290,5 +290,25 @@ TEST(HardQuestions, ArmsOfAnySizeWithoutABoundedReachAreSolved) {
   }
 }
 
+TEST(HardQuestions, SlidesWithoutLimitsLeadAnywhere) {
+  testing::Random random;
+  std::vector<Joint> joints;
+  for (int k = 0; k < 6; ++k) {
+    const Vector3 axis = Vector3::Unit(k < 3 ? k : 5 - k);
+    Joint joint{.name = "j" + std::to_string(k)};
+    joint.screw = k < 3 ? translation_screw(axis) : rotation_screw(axis);
+    joints.push_back(joint);
+  }
+  const Arm arm("crane", joints, Pose(Eigen::Translation3d(0.1, 0, 0.05)));
+  for (const double far : {1.0, 1e2, 1e3, 1e4}) {
+    for (int i = 0; i < 20; ++i) {
+      const Pose pose = random.pose(far);
+      const InverseResult result = inverse_kinematics(arm, pose);
+      EXPECT_NE(result.status, InverseStatus::unreachable) << far << result.reason;
+      EXPECT_NE(result.status, InverseStatus::outside_limits) << far << result.reason;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace beeline

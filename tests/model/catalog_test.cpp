@@ -189,6 +189,16 @@ TEST(BuiltIn, SuggestsTheNearestForAnUnknownName) {
   EXPECT_REFUSED(built_in(""), "known: ");
 }
 
+TEST(JointNamings, AJointIsCalledByItsOwnNameAndByTheMakers) {
+  const Arm arm = built_in("ur5e");
+  EXPECT_EQ(coordinate_called(arm, "joint2"), 1);
+  EXPECT_EQ(coordinate_called(arm, "shoulder_lift_joint"), 1);
+  EXPECT_EQ(coordinate_called(arm, "joint7"), std::nullopt);
+  const Arm other("mine", arm.joints(), arm.tool(), arm.base());
+  EXPECT_EQ(coordinate_called(other, "joint2"), 1);
+  EXPECT_EQ(coordinate_called(other, "shoulder_lift_joint"), std::nullopt);
+}
+
 TEST(PlanarLink, IsTheMatrixOfSection14) {
   testing::Random random;
   const Joint revolute = composite_joint('R', "j").front();
