@@ -295,7 +295,8 @@ TEST(HardQuestions, SlidesWithoutLimitsLeadAnywhere) {
   std::vector<Joint> joints;
   for (int k = 0; k < 6; ++k) {
     const Vector3 axis = Vector3::Unit(k < 3 ? k : 5 - k);
-    Joint joint{.name = "j" + std::to_string(k)};
+    Joint joint;
+    joint.name = "j" + std::to_string(k);
     joint.screw = k < 3 ? translation_screw(axis) : rotation_screw(axis);
     joints.push_back(joint);
   }

@@ -72,8 +72,9 @@ TEST(Screws, SmallPitchesReadBack) {
   for (int i = 0; i < 300; ++i) {
     const double pitch = std::pow(10, random.uniform(-7, -1));
     const Vector3 point(random.uniform(-10, 10), random.uniform(-1, 1), 0.2);
-    Joint joint{.name = "j",
-                .screw = rotation_screw({random.uniform(-1, 1), 0.3, 1}, point, pitch)};
+    Joint joint;
+    joint.name = "j";
+    joint.screw = rotation_screw({random.uniform(-1, 1), 0.3, 1}, point, pitch);
     const Arm arm("helical", {joint}, random.pose(), random.pose());
     for (const ScrewFrame frame : frames) {
       const Arm again = arm_from_screws("a", screws(arm, frame), home_pose(arm), frame);
