@@ -34,9 +34,9 @@ TEST(FirstJointFault, TellsEachKind) {
   motion = along([](double t) { return 1.1 * t - 1; }, nothing, 1.5);
   expect_first(motion, Fault::velocity, 0);
   motion = along([](double t) { return 1.05 * t * t - 1; }, nothing, 0.4);
-  expect_first(motion, Fault::acceleration, 0);
+  expect_first(motion, Fault::acceleration, 1);  // where the velocity jumps
   motion = along([](double t) { return 1.05 * t * t * t - 1; }, nothing, 0.3);
-  expect_first(motion, Fault::jerk, 0);
+  expect_first(motion, Fault::jerk, 1);
 }
 
 TEST(FirstJointFault, VelocitiesShowInWhichDirectionAJointRotates) {
