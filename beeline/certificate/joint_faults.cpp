@@ -51,7 +51,7 @@ class FaultSearch {
     const std::optional<JointFault> derivative_fault = found_;
     if (!derivative_fault) return {};
     const std::size_t end = std::min(derivative_fault->sample + stencil + 1, t_.size());
-    for (std::size_t k = derivative_fault->sample + 1; k < end; ++k) {
+    for (std::size_t k = derivative_fault->sample; k < end; ++k) {
       found_.reset();
       for (int i = 0; i < arm_.dof() && !found_; ++i) check_positions(k, i);
       if (found_) return found_;
