@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -14,7 +13,7 @@ namespace {
 class LimitsReader {
  public:
   LimitsReader(std::string_view text, const std::string& path, const Arm& arm)
-      : path_(path), arm_(arm), root_(parse_yaml(text, path)) {}
+      : path_(path), arm_(arm), root_(parse_yaml(text, path)), namings_(joint_namings(arm)) {}
 
   JointLimits read() {
     search(root_);
@@ -99,8 +98,11 @@ class LimitsReader {
     const auto found = std::find_if(joints.begin(), joints.end(),
                                     [&](const Joint& known) { return known.name == name; });
     if (found != joints.end()) return &*found;
-    const std::optional<int> coordinate = coordinate_called(arm_, name);
-    return coordinate ? &arm_.joint_of(*coordinate) : nullptr;
+    for (const std::vector<std::string>& naming : namings_) {
+      const auto called = std::find(naming.begin(), naming.end(), name);
+      if (called != naming.end()) return &arm_.joint_of(called - naming.begin());
+    }
+    return nullptr;
   }
 
   /// The joint of the arm that the file calls `name`.
@@ -152,6 +154,7 @@ class LimitsReader {
   const std::string& path_;
   const Arm& arm_;
   Yaml root_;
+  std::vector<std::vector<std::string>> namings_;  // of the arm's joints
   const YamlMember* limits_ = nullptr;
   std::set<std::string> names_;  // of the file's joints
   std::string prefix_;
