@@ -42,7 +42,6 @@ constexpr ReasonField reals[] = {fraction,
                                  distance,
                                  angle,
                                  change,
-                                 radius,
                                  speed,
                                  needed_speed,
                                  rate,
@@ -61,7 +60,7 @@ constexpr ReasonField reals[] = {fraction,
 constexpr ReasonField texts[] = {move_name,  segment_name,  arm,       joint,     body,
                                  other_body, unit,          quantity,  held_body, held_joint,
                                  parts,      interpolation, direction, frame};
-constexpr ReasonField points[] = {position, centre, nearest, normal};
+constexpr ReasonField points[] = {position, nearest, normal};
 constexpr ReasonField endings[] = {ending, search_ending};
 constexpr std::span<const ReasonField> lists[] = {flags, counts, reals, texts, points, endings};
 }  // namespace fields_by_type

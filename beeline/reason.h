@@ -40,7 +40,7 @@ enum class ReasonCode {
   no_closed_form_solution,  ///< the closed form found none; a numerical search finds one
   position_unreachable,     ///< no search brings the tool to the position
   orientation_unreachable,  ///< the tool comes to the position, not with this orientation
-  beyond_reach,       ///< proved from the arm's reach; the next four are proved from its geometry
+  // Proved from the arm's geometry: tilted_off_axes, off_plane, fixed_orientation and off_slides.
   tilted_off_axes,    ///< the pose is tilted relative to the common direction of all joint axes
   off_plane,          ///< the arm's tool stays in a plane, and the pose is outside it
   fixed_orientation,  ///< an arm of prismatic joints has another orientation
@@ -182,8 +182,6 @@ enum class ReasonField {
   normal,     ///< unit vector
   angle,
   change,
-  centre,
-  radius,
   nearest,
   speed,
   needed_speed,

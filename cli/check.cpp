@@ -198,15 +198,12 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
                             const Trajectory& trajectory, const VerifyOptions& options,
                             bool has_scene) {
   const std::string text = read_file(arguments.through);
+  const auto recovery = accepted_recovery(arm, trajectory, options.recover);
+  const Pose begin = forward_kinematics(arm, trajectory.positions[begin_of_path(recovery)]);
   if (is_program(text)) {
-    if (arguments.recover.given()) {
-      throw Error("--recover is for files of poses; " + arguments.through + " is a program");
-    }
-    arguments.scene.refuse_recovery_of_program(arguments.through);
-    const Program program =
-        program_from(text, arguments.through, arm,
-                     {arguments.arm, arguments.task, arguments.work, arguments.unit},
-                     arguments.path, forward_kinematics(arm, trajectory.positions.front()));
+    const Program program = program_from(
+        text, arguments.through, arm,
+        {arguments.arm, arguments.task, arguments.work, arguments.unit}, arguments.path, begin);
     check_scene_of(program, arguments.through, has_scene);
     if (!program.attachments.empty() && (options.moving.start || options.moving.end)) {
       throw Error(std::string(options.moving.start ? "--moving-start" : "--moving-end") +
@@ -221,8 +218,6 @@ CheckedMotion check_through(const CheckArguments& arguments, const Arm& arm,
   }
   const PoseList waypoints =
       waypoints_from(text, arguments.through, arm, arguments.task, arguments.work, arguments.unit);
-  const auto recovery = accepted_recovery(arm, trajectory, options.recover);
-  const Pose begin = forward_kinematics(arm, trajectory.positions[begin_of_path(recovery)]);
   const Route route = arguments.path.from(begin, waypoints.poses, *options.task);
   return {verify(arm, trajectory, route, options), waypoints.poses, waypoints.poses.size()};
 }

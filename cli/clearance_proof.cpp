@@ -80,6 +80,16 @@ std::string SceneArgument::start_clause(const CheckedScene& scene, const Configu
   return at_start + accepting_clause(std::max(rounding, rounded_up(depth - rounding, 3)));
 }
 
+std::string SceneArgument::clause_of_refusal(const CheckedScene& scene, const Configuration& start,
+                                             const ClearanceProof& proof) const {
+  const std::string clause = start_clause(
+      scene, start, "; the motion must lead out of it, and no pair may come closer before");
+  const bool undecided = proof.status == ClearanceStatus::not_decided;
+  return clause.empty() && undecided && recover_clearance.value_or(0) == 0
+             ? clause_at_clearance(scene, start)
+             : clause;
+}
+
 ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory& motion,
                                      const Budget& budget) const {
   const Trajectory first{motion.joint_names, {0}, {motion.positions.front()}, {}, {}};
@@ -96,12 +106,7 @@ ClearanceReport SceneArgument::prove_from(const std::optional<Configuration>& st
   set_configuration(scene, motion, report);
   set_too_close(scene, report);
   if (start && may_be_of_start(report.proof, motion)) {
-    report.start_clause = start_clause(
-        scene, *start, "; the motion must lead out of it, and no pair may come closer before");
-    const bool undecided = report.proof.status == ClearanceStatus::not_decided;
-    if (report.start_clause.empty() && undecided && recover_clearance.value_or(0) == 0) {
-      report.start_clause = clause_at_clearance(scene, *start);
-    }
+    report.start_clause = clause_of_refusal(scene, *start, report.proof);
   }
   return report;
 }
@@ -118,6 +123,9 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
         .attachments = program.attachments,
         .attached = attached_parts(scene.model, motion, program, followed.arrivals)};
     set_configuration(scene, motion, report);
+    if (may_be_of_start(report.proof, motion)) {
+      report.start_clause = clause_of_refusal(scene, motion.positions.front(), report.proof);
+    }
     if (report.attached.empty()) {
       warn_if_unchecked(scene);
       set_too_close(scene, report);

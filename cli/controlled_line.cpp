@@ -8,6 +8,7 @@ LineReport line_by_control(const Arm& arm, const Configuration& start,
                            const std::vector<Pose>& waypoints, const CartesianOptions& options) {
   ControlledMotion motion = control_in_lines(arm, start, waypoints, options);
   LineReport report;
+  report.planned = false;
   report.status = motion.status;
   report.reason = motion.reason;
   report.trajectory = std::move(motion.trajectory);

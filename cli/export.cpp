@@ -170,14 +170,16 @@ Exported program_export(const ExportArguments& arguments, const Arm& arm, const 
   check_scene_to_plan(program, arguments.file, scene != nullptr);
   PathMotionOptions options{.task = spatial.read(arm), .budget = arguments.budget.next()};
   if (arguments.tool_speed) options.tool_speed = *arguments.tool_speed;
-  if (arguments.ignore_limits || arguments.limit_tolerance > 0 || arguments.recover.given()) {
-    throw Error(std::string(arguments.ignore_limits         ? "--ignore-limits"
+  const bool recovers = arguments.recover.given(), ignores = arguments.ignore_limits;
+  const bool leads_out = arguments.scene.recover_clearance.value_or(0) > 0;
+  if (ignores || arguments.limit_tolerance > 0 || recovers || leads_out) {
+    throw Error(std::string(ignores                         ? "--ignore-limits"
                             : arguments.limit_tolerance > 0 ? "--limit-tolerance"
-                                                            : "--recover") +
+                            : recovers                      ? "--recover"
+                                                            : "--recover-clearance") +
                 " is for trajectories; " + arguments.file +
                 " is a program, which is planned within the limits");
   }
-  arguments.scene.refuse_recovery_of_program(arguments.file);
   return at_rows(program, arguments.file, [&] {
     check_controller_form(arm, program, form);
     const ProgramMotion motion =

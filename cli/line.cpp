@@ -72,7 +72,7 @@ LineReport report_of(const LineArguments& arguments, Motion& motion) {
   report.limits = motion.limits;
   report.limit_margin = motion.limit_margin;
   report.inverse_condition = motion.inverse_condition;
-  if constexpr (requires { motion.recovery; }) report.recovery = motion.recovery;
+  report.recovery = motion.recovery;
   return report;
 }
 
@@ -111,12 +111,8 @@ LineReport line_by_plan(const LineArguments& arguments, const Arm& arm,
     };
     options.recover_clearance = arguments.scene.recover_clearance.value_or(0);
   }
-  if (!start && arguments.scene.recover_clearance.value_or(0) > 0) {
-    throw Error("--recover-clearance needs --from");
-  }
-  const auto begin = [&] { return forward_kinematics(arm, nearest_within_limits(arm, *start)); };
-  const Route route =
-      start ? arguments.path.from(begin(), poses, task) : arguments.path.through(poses);
+  const Route route = start ? arguments.path.from(tool_after_recovery(arm, *start), poses, task)
+                            : arguments.path.through(poses);
   PathMotion motion = move_along(arm, start, route, options);
   const Deviation tolerance{options.tolerance, options.orientation_tolerance};
   LineReport report = report_of(arguments, motion);
@@ -145,6 +141,8 @@ LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
                            const Task& task, const CheckedScene* scene) {
   Progress progress;
   PathMotionOptions options = exact_motion_options(arguments, task);
+  options.recover = arguments.recover.read(arm, arguments.unit);
+  options.recover_clearance = arguments.scene.recover_clearance.value_or(0);
   options.budget = progress.of(arguments.budget.next());
   ProgramMotion motion = at_rows(program, arguments.through, [&] {
     return move_program(arm, start, program, options, scene != nullptr ? &scene->model : nullptr);
@@ -158,7 +156,10 @@ LineReport line_by_program(const LineArguments& arguments, const Arm& arm,
 }
 
 std::optional<Configuration> start_of(const LineArguments& arguments, const Arm& arm) {
-  if (arguments.from.empty()) return std::nullopt;
+  if (arguments.from.empty()) {
+    if (arguments.scene.recover_clearance.value_or(0) == 0) return std::nullopt;
+    throw Error("--recover-clearance needs --from");
+  }
   return arguments.arm.configuration(arm, arguments.from, "--from", arguments.unit);
 }
 
@@ -194,10 +195,6 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
     throw Error((arguments.branches ? "--branches" : "--method " + arguments.method) +
                 " is for files of poses; " + arguments.through + " is a program");
   }
-  if (arguments.recover.given()) {
-    throw Error("--recover is for files of poses; " + arguments.through + " is a program");
-  }
-  arguments.scene.refuse_recovery_of_program(arguments.through);
   if (arguments.motion.duration) {
     throw Error("--duration is for files of poses; " + arguments.through +
                 " is a program, whose rows have speeds");
@@ -205,7 +202,7 @@ LineReport line_through(const LineArguments& arguments, const Arm& arm, const Ta
   const std::optional<Configuration> start = start_of(arguments, arm);
   const Program program = program_from(
       text, arguments.through, arm, {arguments.arm, arguments.task, arguments.work, arguments.unit},
-      arguments.path, start ? std::optional(forward_kinematics(arm, *start)) : std::nullopt);
+      arguments.path, start ? std::optional(tool_after_recovery(arm, *start)) : std::nullopt);
   check_scene_to_plan(program, arguments.through, scene != nullptr);
   waypoints = waypoints_of(arm, program);
   return line_by_program(arguments, frame.arm, start, frame.seen(program), task, scene);
@@ -321,7 +318,8 @@ std::vector<Option> exact_options(LineArguments& arguments) {
        {max_samples_option(&motion.max_samples, "more samples are needed.", {exact_method}),
         arguments.recover.option(
             "Accept a --from slightly outside the position limits: a first section leads straight "
-            "in joint space to the nearest configuration within them, where the path begins. "
+            "in joint space to the nearest configuration within them, where the path or program "
+            "begins. "
             "`beeline check` needs the same option.",
             {.methods = {exact_method}, .needs = "--from"}),
         Option("--branches",

@@ -30,7 +30,7 @@ std::string margins_text(const LineReport& report) {
 std::string motion_text(const Arm& arm, const LineReport& report, const UnitArgument& unit) {
   std::string text = fmt::format("samples       {} in {} s\n", report.trajectory.size(),
                                  shown(report.trajectory.times.back()));
-  if (report.method == "exact") {
+  if (report.planned) {
     return text + recovery_text(arm, report.recovery, unit) +
            deviation_text(report.deviation, report.trajectory.interpolation(), unit,
                           report.recovery) +
@@ -201,7 +201,7 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
     document.add("clearance", report.clearance->document());
     document.add("blocked", json_blocked(arm, report.blocked, unit));
   }
-  if (!reached && report.method == "exact") document.add("path_parameter", report.path_parameter);
+  if (!reached && report.planned) document.add("path_parameter", report.path_parameter);
   if (!report.moves.empty()) document.add("moves", json_moves(report, unit));
   if (reached && !report.moves.empty()) document.add("search_ending", name(report.search_ending));
   if (!reached && report.failed < report.program.moves.size()) {
@@ -209,16 +209,16 @@ Json report_document(const Arm& arm, const LineReport& report, const UnitArgumen
     document.add("failed_place", report.program.moves[report.failed].place);
   }
   if (reached) document.add("limits", json_limits(report.limits));
-  if (reached && report.method == "exact") {
+  if (reached && report.planned) {
     document.add("recovery", json_recovery(arm, report.recovery, unit));
     const bool measured = has_path(report);
     document.add("limit_margin", measured ? Json(report.limit_margin) : Json());
     document.add("inverse_condition", measured ? Json(report.inverse_condition) : Json());
   }
-  if (reached && report.method != "exact") {
+  if (reached && !report.planned) {
     document.add("start_jump", json_start_jump(arm, report.start_jump, unit));
   }
-  if (report.method != "exact") {
+  if (!report.planned) {
     document.add("steps", report.steps);
     document.add("overshoot", report.overshoot);
   }

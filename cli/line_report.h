@@ -15,19 +15,20 @@ namespace beeline::command {
 /// The report of `line`, by any method.
 struct LineReport {
   std::string method = {};
+  bool planned = true;  ///< by method exact; else simulated under control
   std::size_t waypoints = 0;
   MotionStatus status = MotionStatus::not_converged;
   Reason reason = {};
   std::vector<std::string> options = {};          ///< that the reason means
   PositionFrame positions = PositionFrame::only;  ///< of the reason's positions
-  /// Of method exact, up to which the plan follows the path; a program has several.
+  /// Up to which a plan follows the path; a program has several.
   std::optional<double> path_parameter = std::nullopt;
   Trajectory trajectory = {};
   PathDeviation deviation = {};
   LimitUsage limits = {};
-  std::optional<Recovery> recovery = {};           ///< of method exact
+  std::optional<Recovery> recovery = {};           ///< when planned
   StartJump start_jump = {};                       ///< of a controller's motion
-  double limit_margin = 0, inverse_condition = 0;  ///< of method exact
+  double limit_margin = 0, inverse_condition = 0;  ///< when planned
   std::vector<NearbyPath> nearby = {};
   std::optional<std::vector<Branch>> branches = {};         ///< with --branches
   int steps = 0;                                            ///< of a controller

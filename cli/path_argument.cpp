@@ -5,6 +5,8 @@
 #include <beeline/error.h>
 #include <beeline/path/blend.h>
 
+#include "command/streams.h"
+
 namespace beeline::command {
 namespace {
 
@@ -41,6 +43,15 @@ std::vector<std::string> segment_names(PathKind kind, std::span<const Pose> pose
   return names;
 }
 
+/// Warns of the waypoints at which the tool stops in spite of --blend.
+void warn_of_stops(const BlendedPath& blended, bool start_first) {
+  for (std::size_t i = 0; i < blended.blends.size(); ++i) {
+    if (!blended.blends[i].sharp) continue;
+    warn(fmt::format("the tool turns back at waypoint {}, where no blend is possible: it stops",
+                     start_first ? i + 1 : i + 2));
+  }
+}
+
 }  // namespace
 
 std::vector<Option> PathArgument::options(const std::vector<std::string>& methods) {
@@ -69,6 +80,7 @@ Route PathArgument::route(std::span<const Pose> poses, bool start_first) const {
     return route;
   }
   BlendedPath blended = blended_lines(poses, {*blend, *blend / metres_per_radian});
+  warn_of_stops(blended, start_first);
   blended.path.names = blend_names(blended, {"waypoint", start_first});
   return route_of(blended);
 }

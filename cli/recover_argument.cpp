@@ -4,6 +4,7 @@
 
 #include <beeline/io/text/numbers.h>
 #include <beeline/io/text/pose_list.h>
+#include <beeline/kinematics/forward.h>
 
 #include "format.h"
 
@@ -37,6 +38,10 @@ double RecoverArgument::read(const Arm& arm, const UnitArgument& unit) const {
   bool turns = false;
   for (int k = 0; k < arm.dof(); ++k) turns |= kind(arm.joint_of(k)) != JointKind::prismatic;
   return turns ? to_radians(amount, unit.angle_unit()) : amount;
+}
+
+Pose tool_after_recovery(const Arm& arm, const Configuration& start) {
+  return forward_kinematics(arm, nearest_within_limits(arm, start));
 }
 
 std::string recovery_text(const Arm& arm, const std::optional<Recovery>& recovery,

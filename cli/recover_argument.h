@@ -23,6 +23,9 @@ struct RecoverArgument {
   double read(const Arm& arm, const UnitArgument& unit) const;
 };
 
+/// The pose of the tool after the recovery of a motion that begins at `start`.
+Pose tool_after_recovery(const Arm& arm, const Configuration& start);
+
 /// The beginning of a motion outside the limits: a line of the report, and null or an object.
 std::string recovery_text(const Arm& arm, const std::optional<Recovery>& recovery,
                           const UnitArgument& unit);

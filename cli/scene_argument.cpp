@@ -75,7 +75,7 @@ struct SceneFile {
 void read_cells(std::vector<SceneFile>& files, ShapeOptions& options) {
   std::map<std::string, double> remaining = options.hold;
   for (SceneFile& file : files) {
-    if (!is_urdf_path(file.path)) continue;
+    if (!has_link_tree_ending(file.path)) continue;
     ShapeOptions of_file{.package = options.package};
     file.scene = read_scene(file.path, of_file);
     for (const auto& [joint, value] : options.hold) {
@@ -108,7 +108,7 @@ void read_other_scenes(std::vector<SceneFile>& files, const Arm& arm, const ArmS
     options.frames[link] = is_planning_frame ? pose : arm.base() * pose;
   }
   for (SceneFile& file : files) {
-    if (is_urdf_path(file.path)) continue;
+    if (has_link_tree_ending(file.path)) continue;
     if (is_cloud_path(file.path)) {
       const ShapeOptions of_cloud{.radius = radius};
       file.scene = for_option("--radius", [&] { return read_scene(file.path, of_cloud); });

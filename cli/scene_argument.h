@@ -145,10 +145,6 @@ struct SceneArgument {
   std::string start_clause(const CheckedScene& scene, const Configuration& start,
                            std::string_view accepted) const;
 
-  /// Throws Error for --recover-clearance: the program in the file must keep the clearance from its
-  /// start on.
-  void refuse_recovery_of_program(const std::string& file) const;
-
   /// Proves or refutes that the motion keeps its clearance.
   ClearanceReport prove(const CheckedScene& scene, const Trajectory& motion,
                         const Budget& budget) const;
@@ -165,6 +161,9 @@ struct SceneArgument {
   std::vector<Option> obstacle_options();
   std::vector<Option> shape_options();
   ClearanceOptions proof_options(const Budget& budget) const;
+  /// What start_clause() adds to the refusal of a motion because of its start.
+  std::string clause_of_refusal(const CheckedScene& scene, const Configuration& start,
+                                const ClearanceProof& proof) const;
   /// Throws Error for an option that needs --scene or --self.
   void refuse_without_scene() const;
   ShapeOptions reading_options() const;

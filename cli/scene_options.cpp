@@ -17,14 +17,10 @@ std::vector<Option> SceneArgument::options() {
                "this much, and leads out of it: until then, no pair of bodies that is too close "
                "at the start comes closer, and all others keep the clearance; all keep it "
                "afterwards. A contact counts with the clearance and its depth, and may become "
-               "deeper down to the depth that is reported. Not for programs; `beeline line` needs "
-               "--from then.",
+               "deeper down to the depth that is reported. A program must lead out before it "
+               "attaches a "
+               "part. `beeline line` needs --from then.",
                &recover_clearance, {.range = {0, max_recover_clearance}})}});
-}
-
-void SceneArgument::refuse_recovery_of_program(const std::string& file) const {
-  if (recover_clearance.value_or(0) == 0) return;
-  throw Error("--recover-clearance is for paths and trajectories; " + file + " is a program");
 }
 
 std::vector<Option> SceneArgument::obstacle_options() {

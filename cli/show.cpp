@@ -106,7 +106,7 @@ void refuse(Answer& answer, const std::string& what, const std::vector<std::stri
 /// The shapes of the arm's links that an arm file of JSON takes; of files of trees of links they
 /// stay there, with their meshes.
 std::vector<LinkShapes> own_shapes(const ShowArguments& arguments) {
-  if (is_urdf_path(arguments.arm.text)) return {};
+  if (has_link_tree_ending(arguments.arm.text)) return {};
   return arguments.arm.shapes({}).links;
 }
 
@@ -123,7 +123,7 @@ bool has_shapes(const ShowArguments& arguments) {
 /// Warns of what the arm's URDF or MJCF file has and --out does not.
 void warn_of_lost_parts(const ShowArguments& arguments) {
   const std::string& input = arguments.arm.text;
-  if (!is_urdf_path(input)) return;
+  if (!has_link_tree_ending(input)) return;
   if (has_shapes(arguments)) {
     warn(arguments.out + " has no shapes of the links; they are in " + input);
   }

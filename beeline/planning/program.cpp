@@ -1,3 +1,4 @@
+#include <beeline/certificate/internal/clearance_recovery.h>
 #include <beeline/certificate/internal/printed_bound.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/internal/enum_names.h>
@@ -6,6 +7,7 @@
 #include <beeline/planning/internal/program_parts.h>
 #include <beeline/planning/internal/program_planner.h>
 #include <beeline/planning/program.h>
+#include <beeline/trajectory/internal/recovery.h>
 
 namespace beeline {
 
@@ -74,9 +76,11 @@ MoveError::MoveError(const Program& program, std::size_t move, const std::string
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options,
                            const CollisionModel* model) {
-  check_program(arm, program, options.task, options.recover);
-  if (options.recover_clearance != 0) {
-    throw Error("recover_clearance is for paths; a program starts within its clearance");
+  check_program(arm, program, options.task);
+  check_recover(options.recover);
+  check_recover_clearance(options.recover_clearance);
+  if (options.recover_clearance > 0 && (!start || model == nullptr)) {
+    throw Error("", "recover_clearance", " needs a start and a model");
   }
   check_scene(arm, program, model);
   if (options.duration) throw Error("duration is for paths; the moves of a program have speeds");

@@ -164,6 +164,9 @@ struct ProgramMotion {
   std::vector<PlannedMove> moves;  ///< one for each move of the program
   PathDeviation deviation;         ///< proved deviation of all moves except joint motions
   LimitUsage limits;               ///< fractions of the limits that the trajectory uses
+  /// The section that leads back within the position limits, with the option `recover`; of a motion
+  /// that starts within them none.
+  std::optional<Recovery> recovery = std::nullopt;
   /// Smallest distance of a joint to a position limit, as a fraction of half its range, over all
   /// moves except joint motions.
   double limit_margin = 1;
@@ -207,6 +210,10 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
 ///   sample in each.
 ///
+/// With options.recover the motion may begin with a recovery, as that of move_along(): the first
+/// move then begins at its end, PlannedMove::begin. With options.recover_clearance a first move
+/// `around` may lead out of the clearance, and prove_clearance() accepts other first moves that do.
+///
 /// Attachments are at waypoints where the arm stops. Only moves `around` depend on them and on
 /// `model`, which is the arm in its scene: its links and limits are the same, its base may be at
 /// another pose. prove_clearance() with a program proves the clearance of the other moves.
@@ -242,6 +249,9 @@ ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& s
 ///   0.4, 0.16 or 0.064 of it, or the arm stops at its waypoint.
 /// - The tool's speed is within the speed limit of each move; in a blend with a joint move up to
 ///   the passage of the waypoint, and after it within the limit of the next move.
+///
+/// With options.recover the motion may begin outside the position limits; the program then begins
+/// at the first sample at which all joints are within them.
 ///
 /// arrivals[i] of the result is PlannedMove::end of move i; `path` and its parameters are empty.
 /// Throws Error as move_program() and verify() do, and AttachmentError for an attachment at a
@@ -285,12 +295,13 @@ std::vector<ProgramScene> program_scenes(const CollisionModel& model, const Traj
 ///
 /// The reason says in which move. A part that is too close to a body at the waypoint where it is
 /// attached or detached is refused there. ClearanceProof::pairs is the largest number in a section.
-/// Shapes are carried with a padding of some 1e-14 m, a bound of the rounding of their poses.
+/// The motion may lead out of the clearance, ClearanceOptions::recover_clearance, before a part is
+/// first attached or detached. Shapes are carried with a padding of some 1e-14 m, a bound of the
+/// rounding of their poses.
 ///
 /// Throws Error for arrivals that are not a sample for each move, in order; AttachmentError as
 /// verify() does, for a part that is no obstacle of the scene, that is a half-space, and for an
-/// unknown name in Attachment::touch; for ClearanceOptions::recover_clearance, because the motion
-/// of a program does not recover; and as the other prove_clearance() does.
+/// unknown name in Attachment::touch; and as the other prove_clearance() does.
 ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
                                const Program& program, std::span<const std::size_t> arrivals,
                                const ClearanceOptions& options = {});

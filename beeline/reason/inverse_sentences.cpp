@@ -48,11 +48,6 @@ std::string velocity_sentence(const ReasonText& reason) {
 
 std::string infeasible(const ReasonText& reason) {
   switch (reason.code()) {
-    case ReasonCode::beyond_reach:
-      return "the pose is " + reason.number(excess) + " m beyond the reach of arm " +
-             reason.text(arm) + ": " + reason.number(distance) + " m from " +
-             point_text(reason.point(centre)) + ", which the tool never leaves by more than " +
-             reason.number(radius) + " m";
     case ReasonCode::tilted_off_axes:
       return "the pose is tilted by " + reason.angle(angle) +
              " against every orientation of the tool: all joint axes of arm " + reason.text(arm) +

@@ -39,7 +39,7 @@ template <>
 struct Fields<ProgramMotion>
     : Members<&ProgramMotion::status, &ProgramMotion::reason, &ProgramMotion::failed,
               &ProgramMotion::search_ending, &ProgramMotion::trajectory, &ProgramMotion::moves,
-              &ProgramMotion::deviation, &ProgramMotion::limits, &ProgramMotion::limit_margin,
-              &ProgramMotion::inverse_condition> {};
+              &ProgramMotion::deviation, &ProgramMotion::limits, &ProgramMotion::recovery,
+              &ProgramMotion::limit_margin, &ProgramMotion::inverse_condition> {};
 
 }  // namespace beeline::python

@@ -22,6 +22,23 @@ std::string source_of(nb::handle value) {
   return simple ? nb::repr(value).c_str() : "...";
 }
 
+namespace {
+
+/// Whether an annotation has the text, and not as a part of a longer name: `int` of `JointPath`.
+bool has_word(std::string_view annotation, std::string_view text) {
+  const auto continues = [&](std::size_t i) {
+    return i < annotation.size() &&
+           (std::isalnum(static_cast<unsigned char>(annotation[i])) != 0 || annotation[i] == '_');
+  };
+  for (std::size_t at = annotation.find(text); at != std::string_view::npos;
+       at = annotation.find(text, at + 1)) {
+    if (!(at > 0 && continues(at - 1)) && !continues(at + text.size())) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Signature::Signature(std::string name, std::string returns, std::string summary)
     : name_(std::move(name)), returns_(std::move(returns)), summary_(std::move(summary)) {
   const std::size_t end = summary_.rfind("Raises ");
@@ -34,7 +51,7 @@ void Signature::refuses(const std::string& name, const std::string& type) {
   const auto among = [&](std::string& names) {
     names += (names.empty() ? "`" : ", `") + name + "`";
   };
-  const auto has = [&](const char* text) { return type.find(text) != std::string::npos; };
+  const auto has = [&](std::string_view text) { return has_word(type, text); };
   if (type == arm_like) {
     has_arm_ = true;
   } else if (has("Trajectory")) {

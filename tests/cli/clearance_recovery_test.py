@@ -133,14 +133,27 @@ def test_the_limit_of_work_is_no_matter_of_the_start(beeline, cell, written):
     assert codes == {0, 1}
 
 
-def test_a_program_does_not_lead_out(beeline, cell, written):
-    written("program.csv", "motion,x,y,z\nline,0,0.5,0\n")
-    written("out.csv", "t,x,y\n0,0,0.203\n1,0,0.5\n")
-    follow = ["--through", "program.csv", "--task", "position", *cell, "--recover-clearance", "0.01"]
-    for verb in (["line", "disc.json", "--from=0,0.203"], ["check", "disc.json", "out.csv"]):
-        answer = beeline(*verb, *follow)
-        assert answer.code == 2
-        assert "--recover-clearance is for paths and trajectories; program.csv is a program" in answer.err
+def test_a_program_leads_out(beeline, cell, written):
+    written("program.csv", "motion,x,y,z\nline,0,0.5,0\nline,0.2,0.5,0\n")
+    follow = ["--through", "program.csv", "--task", "position", *cell]
+    line = ["line", "disc.json", "--from=0,0.203", *follow, "--out", "out.csv", "--json"]
+    refused = beeline(*line)
+    assert refused.code == 1 and "--recover-clearance 0.002 accepts" in refused.err, refused.err
+    answer = beeline(*line, "--recover-clearance", "0.002")
+    assert answer.code == 0, answer.err
+    recovery = answer.json["clearance"]["recovery"]
+    assert recovery["depth"] == pytest.approx(0.002, abs=1e-9) and 0 < recovery["time"] < answer.json["duration"]
+    check = ["check", "disc.json", "out.csv", *follow, "--json"]
+    assert beeline(*check).json["clearance"]["status"] == "collides"
+    assert beeline(*check, "--recover-clearance", "0.001").code == 1
+    checked = beeline(*check, "--recover-clearance", "0.002")
+    assert checked.code == 0 and checked.json["clearance"]["recovery"] == recovery
+    # Towards the table it leads nowhere.
+    written("program.csv", "motion,x,y,z\nline,0,0.2025,0\nline,0.2,0.5,0\n")
+    assert beeline(*line, "--recover-clearance", "0.002").code == 1
+    export = ["export", "disc.json", "program.csv", "--as", "rapid", "--from=0,0.5", *cell, "--recover-clearance", "0.002"]
+    answer = beeline(*export, "--out", "p.mod")
+    assert answer.code == 2 and "--recover-clearance is for trajectories" in answer.err, answer.err
 
 
 def test_feedback_leads_out(beeline, cell):

@@ -1,3 +1,4 @@
+#include <beeline/planning/program.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/limit_usage.h>
 
@@ -163,6 +164,86 @@ TEST(RecoveryOfLines, LeadsBackToTheBeginningOfThePath) {
     }
   }
   EXPECT_GT(reached, cases(60) / 2) << "of " << 3 * cases(60) << ", many at a limit";
+}
+
+/// A joint move and two lines with blends, or a line first, from the configuration `back` on.
+Program random_program(Random& random, const Arm& arm, const Configuration& back, bool joint_first,
+                       double blend) {
+  const auto line_to = [&](const Pose& pose) {
+    Pose to = pose;
+    to.translation() += 0.02 * random.direction();
+    return Move{.kind = MoveKind::line, .target = to, .blend = blend};
+  };
+  Program program;
+  Pose begin = forward_kinematics(arm, back);
+  if (joint_first) {
+    const Configuration goal = 0.5 * (back + middle_configuration(arm));
+    program.moves.push_back({.kind = MoveKind::joint, .q = goal, .blend = blend});
+    begin = forward_kinematics(arm, goal);
+  }
+  program.moves.push_back(line_to(begin));
+  program.moves.push_back(line_to(program.moves.back().target));
+  program.moves.back().blend = 0;
+  return program;
+}
+
+TEST(RecoveryOfPrograms, LeadsBackToWhereTheFirstMoveBegins) {
+  Random random;
+  int reached = 0;
+  for (const char* name : {"panda", "puma560", "iiwa14"}) {
+    const Arm arm = built_in(name);
+    for (int i = 0; i < cases(30); ++i) {
+      const Configuration start = outside(random, arm);
+      const Configuration back = nearest_within_limits(arm, start);
+      const Program program = random_program(random, arm, back, i % 2 == 0, i % 3 == 0 ? 0.005 : 0);
+      PathMotionOptions options{.recover = 0.1};
+      if (i % 4 == 0) options.rate = 250;
+      if (i % 5 == 0) options.interpolation = Interpolation::cubic;
+      if (i % 5 == 1) options.interpolation = Interpolation::linear;
+      const ProgramMotion motion = move_program(arm, start, program, options);
+      EXPECT_REFUSED(move_program(arm, start, program), "the motion cannot start");
+      if (!motion) continue;
+      ++reached;
+      if (i % 5 > 1) expect_recovery(arm, start, motion.trajectory, motion.recovery);
+      ASSERT_TRUE(motion.recovery);
+      expect_others_still(arm, motion.trajectory, *motion.recovery);
+      EXPECT_EQ(motion.moves.front().begin, motion.recovery->sample);
+      EXPECT_EQ(motion.moves.back().end, motion.trajectory.size() - 1);
+      EXPECT_LE(motion.deviation.bound.position, options.tolerance);
+      VerifyOptions accepted{.recover = 0.1};
+      const Verification proved = verify(arm, motion.trajectory, program, accepted);
+      EXPECT_TRUE(proved) << proved.reason;
+      ASSERT_TRUE(proved.recovery);
+      EXPECT_EQ(proved.recovery->sample, motion.recovery->sample);
+      EXPECT_EQ(verify(arm, motion.trajectory, program).fault, Fault::limits);
+      accepted.recover = largest_excess(arm, start) / 2;
+      EXPECT_EQ(verify(arm, motion.trajectory, program, accepted).fault, Fault::limits);
+      // With another sample the path is left, not before the recovery has ended.
+      Trajectory off = motion.trajectory;
+      off.positions.back()[arm.dof() - 2] += 0.01;
+      const Verification left = verify(arm, off, program, {.recover = 0.1});
+      EXPECT_NE(left.fault, Fault::none);
+      EXPECT_GE(left.sample, motion.recovery->sample);
+    }
+  }
+  EXPECT_GT(reached, cases(30)) << "of " << 3 * cases(30) << ", many at a limit";
+}
+
+TEST(RecoveryOfPrograms, IsNotNeededWithinTheLimits) {
+  const Arm arm = built_in("panda");
+  const Configuration start = middle_configuration(arm);
+  Random random;
+  const Program program = random_program(random, arm, start, true, 0);
+  const ProgramMotion with = move_program(arm, start, program, {.recover = 0.1});
+  const ProgramMotion without = move_program(arm, start, program);
+  ASSERT_TRUE(with) << with.reason;
+  EXPECT_FALSE(with.recovery);
+  EXPECT_EQ(with.trajectory.positions, without.trajectory.positions);
+  EXPECT_FALSE(verify(arm, with.trajectory, program, {.recover = 0.1}).recovery);
+  for (const double amount : {-0.01, 0.2, Limits::none}) {
+    EXPECT_REFUSED(move_program(arm, start, program, {.recover = amount}), "recover");
+    EXPECT_REFUSED(verify(arm, with.trajectory, program, {.recover = amount}), "recover");
+  }
 }
 
 TEST(RecoveryOfLines, IsProvedInTheSceneToo) {

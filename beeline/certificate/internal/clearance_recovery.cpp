@@ -67,7 +67,7 @@ class RecoveryProof {
       kept_.push_back({pair, -std::numeric_limits<double>::infinity()});
     }
     std::sort(kept_.begin(), kept_.end(), [](const ReleasedPair& a, const ReleasedPair& b) {
-      return TubeTest::comes_before(a.pair, b.pair);
+      return TubeProof::comes_before(a.pair, b.pair);
     });
     recovery_.pairs = kept_.size();
     recovery_.sample = motion().size() - 1;
@@ -175,7 +175,7 @@ class RecoveryProof {
   const MotionTubes& tubes_;
   const ClearanceOptions& options_;
   BudgetMeter& budget_;
-  TubeTest at_point_;
+  TubeProof at_point_;
   std::vector<ReleasedPair> kept_;  ///< the pairs of the recovery, with what they must keep
   ClearanceRecovery recovery_;
   ClearanceProof proof_;

@@ -46,7 +46,7 @@ ClearanceSearch::ClearanceSearch(const CollisionBodies& bodies, const MotionTube
       budget_(budget),
       beyond_(beyond),
       only_counted_(only_counted),
-      tube_test_(bodies, tubes.values(tubes.all()), beyond),
+      tube_proof_(bodies, tubes.values(tubes.all()), beyond),
       open_(scratch_->open),
       queue_(scratch_->queue),
       tree_search_{.nodes = scratch_->nodes, .open = open_, .obstacles = queue_},
@@ -179,7 +179,7 @@ ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs,
     ended_ = true;
     return left;
   }
-  tube_test_.place(tube);
+  tube_proof_.place(tube);
   tree_search_.all = nodes == Nodes::all;
   for (std::size_t i = pairs.begin; i < pairs.end;) {
     if (open_[i].with != With::node) {
@@ -190,7 +190,7 @@ ClearanceSearch::Pairs ClearanceSearch::test(const JointTube& tube, Pairs pairs,
         tree_search_.nodes.push_back(open_[i].other);
       }
       queue_.clear();
-      tube_test_.search_tree(group, tree_search_);
+      tube_proof_.search_tree(group, tree_search_);
     }
     test_queue(nodes);
   }
@@ -204,12 +204,12 @@ void ClearanceSearch::test_queue(Nodes nodes) {
   while (!queue_.empty()) {
     OpenPair pair = queue_.back();
     queue_.pop_back();
-    const TubeTest::Bound bound = tube_test_.bound(pair);
+    const TubeProof::Bound bound = tube_proof_.bound(pair);
     if (bound.proves()) {
       proof_.least_distance = std::min(proof_.least_distance, bound.distance);
     } else if (pair.with == With::group &&
-               (nodes == Nodes::all || tube_test_.is_coarse_group_pair(pair))) {
-      tube_test_.divide_group_pair(pair, queue_);
+               (nodes == Nodes::all || tube_proof_.is_coarse_group_pair(pair))) {
+      tube_proof_.divide_group_pair(pair, queue_);
     } else {
       open_.push_back(pair);
     }
@@ -221,21 +221,35 @@ bool ClearanceSearch::is_small(Pairs pairs) const {
                      open_.begin() + static_cast<std::ptrdiff_t>(pairs.end),
                      [&](const OpenPair& pair) {
                        if (!pair.is_of_bodies()) return false;
-                       return tube_test_.displacement(pair) <=
-                              tube_test_.smallest_motion(pair, options_.resolution);
+                       return tube_proof_.displacement(pair) <=
+                              tube_proof_.smallest_motion(pair, options_.resolution);
                      });
 }
 
-/// Decides a part that can hardly be divided, at the middle of its time. The pairs are of bodies.
+/// Decides a part that can hardly be divided, at the middle of its time; the first part of the
+/// motion at its start before. The pairs are of bodies.
 void ClearanceSearch::decide(const Part& part, Pairs pairs) {
-  set_middle(part.coefficients, tube_.middle);
+  const Trajectory& motion = tubes_.trajectory();
+  if (part.from == motion.times.front()) {
+    tube_.middle = motion.positions.front();
+    decide_at(part.from, part, pairs);
+  }
+  if (proof_.status != ClearanceStatus::collides) {
+    set_middle(part.coefficients, tube_.middle);
+    decide_at(part.middle(), part, pairs);
+  }
+  constexpr std::size_t most_undecided = 10'000;
+  if (++undecided_parts_ == most_undecided) ended_ = true;
+}
+
+/// Decides a part at a time of it, at which tube_.middle is the configuration.
+void ClearanceSearch::decide_at(double time, const Part& part, Pairs pairs) {
   tube_.half_motion.setZero();
   tube_.slack.setZero();
-  tube_test_.place(tube_.tube());
-  const double time = part.middle();
+  tube_proof_.place(tube_.tube());
   for (std::size_t i = pairs.begin; i < pairs.end; ++i) {
-    const BodyDistance pair = tube_test_.distance(open_[i]);
-    const bool collides = tube_test_.is_too_close(open_[i], pair);
+    const BodyDistance pair = tube_proof_.distance(open_[i]);
+    const bool collides = tube_proof_.is_too_close(open_[i], pair);
     const bool is_first = proof_.status == ClearanceStatus::clear;
     const bool is_deeper = proof_.status == ClearanceStatus::collides &&
                            pair.lower - pair.clearance < proof_.pair.lower - proof_.pair.clearance;
@@ -255,8 +269,6 @@ void ClearanceSearch::decide(const Part& part, Pairs pairs) {
       ended_ = until_first_fault_;
     }
   }
-  constexpr std::size_t most_undecided = 10'000;
-  if (++undecided_parts_ == most_undecided) ended_ = true;
 }
 
 Trajectory adapted_motion(const CollisionModel& model, const Trajectory& trajectory) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <beeline/certificate/clearance.h>
-#include <beeline/certificate/internal/tube_test.h>
+#include <beeline/certificate/internal/tube_proof.h>
 #include <beeline/collision/internal/nearest_pair.h>
 #include <beeline/internal/budget_meter.h>
 
@@ -41,9 +41,9 @@ class ClearanceSearch {
     return *this;
   }
 
-  /// Lets these pairs keep other distances, see TubeTest::release().
+  /// Lets these pairs keep other distances, see TubeProof::release().
   ClearanceSearch& release(std::span<const ReleasedPair> pairs) {
-    tube_test_.release(pairs);
+    tube_proof_.release(pairs);
     return *this;
   }
 
@@ -83,6 +83,7 @@ class ClearanceSearch {
   void test_queue(Nodes nodes);
   bool is_small(Pairs pairs) const;
   void decide(const Part& part, Pairs pairs);
+  void decide_at(double time, const Part& part, Pairs pairs);
 
   const CollisionBodies& bodies_;
   const MotionTubes& tubes_;
@@ -91,11 +92,11 @@ class ClearanceSearch {
   double beyond_;
   bool only_counted_;
   bool until_first_fault_ = false;
-  TubeTest tube_test_;
+  TubeProof tube_proof_;
   ThreadScratch<Scratch> scratch_;
   std::vector<OpenPair>& open_;   ///< a stack
   std::vector<OpenPair>& queue_;  ///< pairs to be tested over the present tube
-  TubeTest::TreeSearch tree_search_;
+  TubeProof::TreeSearch tree_search_;
   std::deque<Part>& parts_;  ///< the part that is searched, and those around it, at least one
   TubeValues& tube_;
   ClearanceProof proof_;

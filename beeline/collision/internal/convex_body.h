@@ -55,7 +55,8 @@ bool has_projection(ConvexBody::Core core);
 /// Returns the point of a core with has_projection() that is nearest to a point.
 Vector3 projection_on_core(const ConvexBody& body, const Vector3& point);
 
-/// The radius of the smallest sphere about `point` that contains the body, to rounding.
+/// The radius of a sphere about `point` that contains the body, the smallest one to rounding for
+/// points, segments, boxes and hulls.
 double farthest_distance(const ConvexBody& body, const Vector3& point);
 
 /// A bound of the distance of the body's points from the line through `point` along the unit

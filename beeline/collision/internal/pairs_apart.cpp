@@ -21,13 +21,6 @@ struct Ranges {
   std::vector<bool> is_unbounded;  ///< no range: bodies that the coordinate moves are not searched
 };
 
-/// Whether a revolution of the coordinate leaves all frames in place.
-bool is_periodic(const Chain& chain, int coordinate) {
-  return std::all_of(chain.links.begin(), chain.links.end(), [&](const Chain::Link& link) {
-    return link.coordinate != coordinate || (link.d_per_q == 0 && std::abs(link.theta_per_q) == 1);
-  });
-}
-
 /// The limits, widened, or one revolution. Sets the range of coordinates in `bodies`.
 Ranges searched_ranges(CollisionBodies& bodies) {
   const Eigen::Index n = bodies.arm.dof();
@@ -39,7 +32,7 @@ Ranges searched_ranges(CollisionBodies& bodies) {
     const Limits& limits = bodies.arm.limits(k);
     const bool bounded = std::isfinite(limits.lower) && std::isfinite(limits.upper);
     const bool revolution = !bounded || limits.upper - limits.lower >= 2 * std::numbers::pi;
-    if (revolution && is_periodic(chain_of(bodies.arm), static_cast<int>(k))) {
+    if (revolution && bodies.arm.periodic(k)) {
       ranges.upper[k] = std::numbers::pi + margin;
       ranges.lower[k] = -ranges.upper[k];
     } else if (bounded) {

@@ -9,7 +9,7 @@
 #include <beeline/io/text/internal/read_fault.h>
 #include <beeline/io/text/internal/urdf_fault.h>
 #include <beeline/io/text/internal/urdf_tree.h>
-#include <beeline/io/text/internal/written_orientations.h>
+#include <beeline/io/text/internal/written_angles.h>
 #include <beeline/io/text/internal/xacro.h>
 #include <beeline/io/text/json.h>
 #include <beeline/io/text/urdf.h>
@@ -78,29 +78,18 @@ AngleUnit find_in_json(const std::string& path, const Arm& arm, std::vector<Find
   for (const WrittenOrientation& each : written_orientations(document)) {
     find_in_rpy(each.rpy, each.line, each.joint.empty() ? each.key : "joint " + each.joint, found);
   }
-  const Json* dh = document.find(document.root(), "dh");
-  if (dh == nullptr) return AngleUnit::radians;
-  const Json* degrees = document.find(*dh, "degrees");
-  const AngleUnit unit =
-      degrees != nullptr && document.truth(*degrees) ? AngleUnit::degrees : AngleUnit::radians;
+  const AngleUnit unit = unit_of_dh(document);
   const bool declared = unit == AngleUnit::degrees;
-  std::size_t i = 0;
-  for (const Json& row : document.items(document.need(*dh, "rows"))) {
-    for (const char* key : {"alpha", "theta"}) {
-      const Json* written = document.find(row, key);
-      const double angle = written == nullptr ? 0 : document.number(*written);
-      if (std::abs(to_radians(angle, unit)) <= one_turn) continue;
-      const double factor = std::numbers::pi / 180;
-      found.push_back(
-          {.kind = FindingKind::angle_unit,
-           .joint = static_cast<int>(i),
-           .place = joint_text(arm, i),
-           .what = std::string(key) + " " + number(angle) + (declared ? " deg (" : " rad (") +
-                   in_line(written->line) +
-                   (declared ? "): converted to degrees twice?" : "): degrees?"),
-           .remedy = (declared ? "in degrees: " : "in radians: ") + number(angle * factor)});
-    }
-    ++i;
+  for (const WrittenDhAngle& each : written_dh_angles(document)) {
+    if (std::abs(to_radians(each.angle, unit)) <= one_turn) continue;
+    const double factor = std::numbers::pi / 180;
+    found.push_back(
+        {.kind = FindingKind::angle_unit,
+         .joint = static_cast<int>(each.row),
+         .place = joint_text(arm, each.row),
+         .what = each.key + " " + number(each.angle) + (declared ? " deg (" : " rad (") +
+                 in_line(each.line) + (declared ? "): converted to degrees twice?" : "): degrees?"),
+         .remedy = (declared ? "in degrees: " : "in radians: ") + number(each.angle * factor)});
   }
   return unit;
 }
@@ -189,7 +178,7 @@ std::vector<UrdfFault> faults_by_line(const UrdfFile& file) {
 /// Appends the faults of the file: up to 100, and the number of the others. `text` writes one.
 void append_faults(const std::string& path, std::string (*text)(const ReadWarning&),
                    std::vector<Finding>& found) {
-  if (!is_urdf_path(path)) return;
+  if (!has_link_tree_ending(path)) return;
   constexpr std::size_t most = 100;
   const UrdfFile file = links_of_file(path);
   const std::vector<UrdfFault> faults = faults_by_line(file);
@@ -212,7 +201,7 @@ void find_faults(const std::string& path, std::vector<Finding>& found) {
 
 AngleUnit find_in_file(const std::string& path, const Arm& arm, std::vector<Finding>& found) {
   if (extension(path) == "json") return find_in_json(path, arm, found);
-  if (is_urdf_path(path)) find_in_urdf(path, arm, found);
+  if (has_link_tree_ending(path)) find_in_urdf(path, arm, found);
   return AngleUnit::radians;
 }
 

@@ -67,7 +67,7 @@ void set_not_found(const Request& request, const Configuration& q, Reason reason
   set_nearest(request, q, result);
 }
 
-/// Returns the status of a request that the budget ended before it had a solution.
+/// Sets the status of a request that the budget ended before it had a solution.
 void set_ended_before_solution(const Request& request, const Configuration& q,
                                InverseResult& result) {
   set_ended(ReasonCode::ended_before_solution, request.budget.ending(), result);
@@ -212,7 +212,8 @@ bool is_searched_by_starts(const Request& request) {
 }
 
 /// Chooses the status for a request for which no solution is known, with or without limits.
-void set_nearest(const Request& request, bool proved, const Configuration& q, StageResult& found) {
+void choose_status(const Request& request, bool proved, const Configuration& q,
+                   StageResult& found) {
   const UnconstrainedResult& evidence = found.unconstrained;
   InverseResult& result = found.result;
   result.nearest = nearest_miss(request, q);
@@ -330,7 +331,7 @@ void diagnose(SolverState& state, const Request& request, StageResult& found) {
   if (!nearest || (!proved && solve_without_limits(state, request, found))) return;
   if (!request.budget.complete() && !proved)
     return set_ended_before_solution(request, *nearest, found.result);
-  set_nearest(request, proved, *nearest, found);
+  choose_status(request, proved, *nearest, found);
 }
 
 }  // namespace beeline::internal

@@ -26,7 +26,7 @@ void set_unexplained(const Request& request, InverseStatus status, StageResult& 
 
 /// Fills in status, residual, nearest miss and reason of a result without solutions, from the
 /// evidence and from searches for the nearest pose. If a search finds a solution, the result is
-/// that solution. This function chooses every status except `solved`.
+/// that solution. Other functions set `solved`, `blocked` and the endings of a budget only.
 void diagnose(SolverState& state, const Request& request, StageResult& found);
 
 }  // namespace beeline::internal

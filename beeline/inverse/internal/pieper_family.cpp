@@ -83,7 +83,7 @@ unsigned add_plain_lanes(const LockedRequest& locked, const LockedBranch& branch
     added.q.resize(request.arm.dof());
     form.configuration(branches, lane, branch.value, added.q.data());
     added.error =
-        request.trusts_closed_loops ? branches.residual[lane] : error_at(request, added.q);
+        request.skips_forward_check ? branches.residual[lane] : error_at(request, added.q);
     added.distance = std::sqrt(branches.distance[lane] + away);
     added.regular = true;
     if (added.error <= accepted) {

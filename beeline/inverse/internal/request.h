@@ -27,8 +27,8 @@ struct Request {
   /// Whether the steps take the effort that suffices for most poses: few values of a redundant
   /// joint, few restarts, and no corrections of solutions within the tolerance.
   bool quick = false;
-  /// Whether solutions of a closed form are checked by closing the loop only.
-  bool trusts_closed_loops = false;
+  /// Whether the residual of a closed form stands for the error by forward kinematics.
+  bool skips_forward_check = false;
   bool has_lock = false;  ///< whether `arm` is another one with a coordinate locked
 
   /// Whether the task determines all coordinates but the locked one.

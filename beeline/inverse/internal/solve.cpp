@@ -213,7 +213,7 @@ int solve_into(SolverState& state, const Pose& world_T_tool, const Configuration
     Configuration wrapped;
     Request request = request_of(state, world_T_tool, seed, budget, wrapped);
     request.quick = true;
-    request.trusts_closed_loops = residual_is_error(state, request.tolerance);
+    request.skips_forward_check = residual_is_error(state, request.tolerance);
     StageResult found;
     if (keeps_locked_value(state, seed) && run_quick_stages(state, request, found)) {
       sort_solutions(request, *found.solutions);

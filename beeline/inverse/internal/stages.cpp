@@ -130,7 +130,7 @@ bool run_quick_stages(SolverState& state, const Request& request, StageResult& f
   const bool keeps_seed =
       options.all || (!options.lock && request.redundancy != Redundancy::centred);
   const bool is_control_loop =
-      request.trusts_closed_loops && (!state.family || state.family == &pieper_family);
+      request.skips_forward_check && (!state.family || state.family == &pieper_family);
   const bool seed_solves = keeps_seed && !is_control_loop && is_solution(request, request.seed);
   if (seed_solves && request.near_seed) {
     add_seed(request, found);

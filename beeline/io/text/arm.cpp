@@ -37,22 +37,21 @@ constexpr ArmFormat arm_formats[] = {
     {"json", false, parse_json, internal::shapes_from_arm_json},
 };
 
-/// The endings with dots, of all formats or of those that describe trees of links.
-std::string known_endings(bool trees_only = false) {
+void refuse_ends(const std::string& text, const ChainEnds& ends) {
+  if (ends.base.empty() && ends.tip.empty()) return;
+  throw Error("base and tip select a chain of a file that describes a tree of links (" +
+              listed(internal::known_endings(true)) + "); " + in_quotes(text) + " is not one");
+}
+
+}  // namespace
+
+std::vector<std::string> internal::known_endings(bool trees_only) {
   std::vector<std::string> endings;
   for (const ArmFormat& format : arm_formats) {
     if (format.tree || !trees_only) endings.push_back("." + std::string(format.ending));
   }
-  return listed(endings);
+  return endings;
 }
-
-void refuse_ends(const std::string& text, const ChainEnds& ends) {
-  if (ends.base.empty() && ends.tip.empty()) return;
-  throw Error("base and tip select a chain of a file that describes a tree of links (" +
-              known_endings(true) + "); " + in_quotes(text) + " is not one");
-}
-
-}  // namespace
 
 const ArmFormat* internal::arm_format_of(std::string_view path) {
   const std::string ending = extension(path);
@@ -69,7 +68,8 @@ const ArmFormat& internal::arm_format_of_file(const std::string& path, const Cha
   }
   const ArmFormat* const format = arm_format_of(path);
   if (format == nullptr) {
-    throw FileError(path, 0, "is not a known kind of arm file; known are " + known_endings());
+    throw FileError(path, 0,
+                    "is not a known kind of arm file; known are " + listed(known_endings()));
   }
   if (!format->tree) refuse_ends(path, ends);
   return *format;
@@ -102,11 +102,6 @@ void refuse_unknown_letters(const std::string& text) {
 }
 
 }  // namespace
-
-bool is_urdf_path(std::string_view path) {
-  const ArmFormat* const format = internal::arm_format_of(path);
-  return format != nullptr && format->parse == arm_from_urdf;
-}
 
 std::string name(ReadWarningKind kind) {
   constexpr internal::EnumNames<ReadWarningKind> names("warning");
@@ -192,7 +187,7 @@ std::vector<std::string> arm_file_endings() {
   return endings;
 }
 
-bool has_link_tree_ending(const std::string& path) {
+bool has_link_tree_ending(std::string_view path) {
   const ArmFormat* const format = internal::arm_format_of(path);
   return format != nullptr && format->tree;
 }
@@ -209,8 +204,8 @@ Arm read_arm(const std::string& text, const ChainEnds& ends, std::vector<ReadWar
   }
   refuse_unknown_letters(text);
   throw Error(std::string(unknown_name("arm", internal::printable(text), built_in_names()).what()) +
-              "; or give a joint string such as RRR:3.5,3.5,2, or a file (" + known_endings() +
-              ")");
+              "; or give a joint string such as RRR:3.5,3.5,2, or a file (" +
+              listed(internal::known_endings()) + ")");
 }
 
 Arm arm_from_text(std::string_view text, const std::string& path, const ChainEnds& ends,

@@ -124,8 +124,8 @@ Arm read_arm(const std::string& text, const ChainEnds& ends = {},
 std::vector<std::string> arm_file_endings();
 
 /// Whether a path has the ending of files that describe a tree of links, of which ChainEnds selects
-/// a chain.
-bool has_link_tree_ending(const std::string& path);
+/// a chain: `.urdf`, `.xml`, `.mjcf` or `.xacro`, in any case of letters.
+bool has_link_tree_ending(std::string_view path);
 
 /// The same as read_arm() from the text of a file; the ending of `path` gives its format, and
 /// messages name it.

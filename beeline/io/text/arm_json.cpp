@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include <beeline/error.h>
@@ -14,7 +13,7 @@
 #include <beeline/io/text/internal/name_json.h>
 #include <beeline/io/text/internal/pose_json.h>
 #include <beeline/io/text/internal/screws_from_json.h>
-#include <beeline/io/text/internal/written_orientations.h>
+#include <beeline/io/text/internal/written_angles.h>
 #include <beeline/io/text/pose_list.h>
 #include <beeline/model/internal/ranges.h>
 
@@ -44,9 +43,7 @@ std::vector<Joint> joints_from_dh(const JsonDocument& document, const Json& dh) 
                                                       : "must be ") +
                         "standard or modified, because the numbers do not determine which");
   }
-  const Json* degrees = document.find(dh, "degrees");
-  const bool in_degrees = degrees != nullptr && document.truth(*degrees);
-  const double angle_unit = in_degrees ? std::numbers::pi / 180 : 1;
+  const double angle_unit = to_radians(1, internal::unit_of_dh(document));
   std::vector<Joint> joints;
   for (const Json& row : document.items(document.need(dh, "rows"))) {
     joints.push_back(internal::dh_joint_from_json(
@@ -142,16 +139,9 @@ void warn_of_degrees(const JsonDocument& document, const std::vector<Joint>& joi
     each.rpy.cwiseAbs().maxCoeff(&largest);
     if (warns(each.rpy[largest], each.joint, each.line)) return;
   }
-  const Json* dh = document.find(document.root(), "dh");
-  const Json* degrees = dh == nullptr ? nullptr : document.find(*dh, "degrees");
-  if (dh == nullptr || (degrees != nullptr && document.truth(*degrees))) return;
-  std::size_t i = 0;
-  for (const Json& row : document.items(document.need(*dh, "rows"))) {
-    const std::string& name = joints[i++].name;
-    for (const char* key : {"alpha", "theta"}) {
-      const Json* angle = document.find(row, key);
-      if (angle != nullptr && warns(document.number(*angle), name, row.line)) return;
-    }
+  if (internal::unit_of_dh(document) == AngleUnit::degrees) return;
+  for (const internal::WrittenDhAngle& each : internal::written_dh_angles(document)) {
+    if (warns(each.angle, joints[each.row].name, each.line)) return;
   }
 }
 

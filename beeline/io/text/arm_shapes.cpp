@@ -67,12 +67,12 @@ std::string body_to_json(const Arm& arm, const LinkShapes& body) {
   return text + "]}";
 }
 
-void refuse_hold(const ShapeOptions& options) {
+}  // namespace
+
+void internal::refuse_hold(const ShapeOptions& options) {
   if (options.hold.empty()) return;
   throw Error::of("hold", "only a URDF file has joints beside the chain that can be held");
 }
-
-}  // namespace
 
 ArmShapes internal::shapes_from_arm_json(std::string_view text, const std::string& path,
                                          const ChainEnds& /*ends*/, const ShapeOptions& options,
@@ -119,7 +119,7 @@ ArmShapes read_arm_shapes(const std::string& text, const ChainEnds& ends,
   const std::string name = read_arm(text, ends).name();  // refuses what is no arm
   const std::string_view built_in = internal::built_in_shapes(name);
   if (!built_in.empty()) return arm_shapes_from_text(built_in, name + ".json", ends, options);
-  refuse_hold(options);
+  internal::refuse_hold(options);
   return {};
 }
 

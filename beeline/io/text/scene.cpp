@@ -1,6 +1,7 @@
 #include <unordered_set>
 
 #include <beeline/io/text/file.h>
+#include <beeline/io/text/internal/arm_format.h>
 #include <beeline/io/text/internal/json_write.h>
 #include <beeline/io/text/internal/moveit_scene.h>
 #include <beeline/io/text/internal/name.h>
@@ -101,7 +102,7 @@ Scene scene_from_json(std::string_view text, const std::string& path) {
 Scene scene_from_text(std::string_view text, const std::string& path, const ShapeOptions& options) {
   if (is_cloud_path(path)) return internal::cloud_scene(text, path, options.radius);
   if (options.radius) throw internal::no_cloud(path);
-  if (is_urdf_path(path)) return scene_from_urdf(text, path, options);
+  if (has_link_tree_ending(path)) return scene_from_urdf(text, path, options);
   if (!options.hold.empty()) {
     throw Error::of("hold", "only a URDF file has joints that can be held; " + path + " has none");
   }
@@ -121,10 +122,11 @@ Scene scene_from_text(std::string_view text, const std::string& path, const Shap
                                     in_moveit);
   }
   if (ending != "json" && !ending.empty()) {
-    throw FileError(
-        path, 0,
-        "is not a known kind of scene; known are " +
-            listed({".json", ".urdf", ".xml", ".scene", ".yaml", ".yml", ".ply", ".npy"}));
+    std::vector<std::string> endings = internal::known_endings();
+    for (const char* of_scenes : {".scene", ".yaml", ".yml", ".ply", ".npy"}) {
+      endings.emplace_back(of_scenes);
+    }
+    throw FileError(path, 0, "is not a known kind of scene; known are " + listed(endings));
   }
   const JsonDocument document(text, path);
   const bool is_message = document.find(document.root(), "world") != nullptr &&

@@ -12,10 +12,6 @@
 
 namespace beeline {
 
-/// Returns whether a path has the ending of a file that read_urdf() reads, a tree of links:
-/// `.urdf`, `.xml`, `.mjcf` or `.xacro`, in any case of letters.
-bool is_urdf_path(std::string_view path);
-
 /// Reads the chain from `ends.base` to `ends.tip` of a URDF file; the world is the base link's
 /// frame. Both may be any links of the tree.
 ///   - Without `ends.base` the chain begins at the root or, if a floating or planar joint places

@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include <beeline/certificate/internal/clearance_recovery.h>
 #include <beeline/collision/internal/pair_reason.h>
 #include <beeline/internal/budget_meter.h>
 #include <beeline/planning/internal/attachments.h>
@@ -182,6 +183,8 @@ ClearanceProof proof_of(const ProgramScenes& scenes, const SceneSection& section
 /// collision follows.
 void add(ClearanceProof next, ClearanceProof& whole) {
   const std::size_t parts = whole.parts + next.parts, pairs = std::max(whole.pairs, next.pairs);
+  std::optional<ClearanceRecovery> recovery =
+      whole.recovery ? std::move(whole.recovery) : std::move(next.recovery);
   const auto excess = [](const ClearanceProof& proof) {
     const bool has_pair = !proof.pair.names[0].empty();
     return has_pair ? proof.pair.upper - proof.pair.clearance
@@ -195,6 +198,7 @@ void add(ClearanceProof next, ClearanceProof& whole) {
     if (!whole) next.begin = whole.begin;
     whole = std::move(next);
   }
+  whole.recovery = std::move(recovery);
   whole.parts = parts;
   whole.pairs = pairs;
 }
@@ -235,9 +239,7 @@ std::vector<ProgramScene> program_scenes(const CollisionModel& model, const Traj
 ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& trajectory,
                                const Program& program, std::span<const std::size_t> arrivals,
                                const ClearanceOptions& options) {
-  if (options.recover_clearance != 0) {
-    throw Error("", "recover_clearance", " is not for motions of programs");
-  }
+  check_recover_clearance(options.recover_clearance);
   const ProgramScenes scenes(model, trajectory, program, arrivals);
   BudgetMeter budget(options.budget);
   ClearanceProof whole{.status = ClearanceStatus::clear,
@@ -245,6 +247,7 @@ ClearanceProof prove_clearance(const CollisionModel& model, const Trajectory& tr
   scenes.for_each_section([&](const SceneSection& section) {
     ClearanceOptions of_section = options;
     of_section.budget = budget.part();
+    if (section.first > 0) of_section.recover_clearance = 0;
     add(proof_of(scenes, section, of_section), whole);
     return whole.status == ClearanceStatus::clear || whole.status == ClearanceStatus::not_decided;
   });

@@ -19,6 +19,7 @@ PlannedProgram planned_with(const DividedProgram& program, const std::vector<Pla
 Verification proof_of(const DividedProgram& program, const Trajectory& trajectory,
                       BudgetMeter& budget) {
   VerifyOptions options = proof_options(program.options);
+  options.recover = program.options.recover;
   options.budget = budget.part();
   return verify(program.arm, trajectory, program.program, options);
 }
@@ -27,6 +28,7 @@ Verification proof_of(const DividedProgram& program, const Trajectory& trajector
 void set_bounds(const DividedProgram& program, Verification proof, BudgetMeter& budget,
                 ProgramMotion& motion) {
   motion.deviation = std::move(proof.deviation);
+  motion.recovery = std::move(proof.recovery);
   for (PlannedMove& move : motion.moves) {
     move.bound = {};
     for (std::size_t k = move.begin; k < move.end; ++k) {

@@ -219,9 +219,7 @@ void check_move_in_plane(const ToolPlane& plane, const Move& move) {
   if (move.via && !plane.contains(*move.via)) throw plane.error("the via position");
 }
 
-void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task,
-                   double recover) {
-  if (recover != 0) throw Error("recover is for paths; a program starts within the limits");
+void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task) {
   if (program.moves.empty()) throw Error("a program needs moves");
   check_count(program);
   const std::optional<ToolPlane> plane = ToolPlane::required(arm, task);

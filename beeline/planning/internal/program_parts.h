@@ -35,10 +35,8 @@ std::string part_name(const Program& program, const ProgramPart& part);
 void check_move(const Arm& arm, const Program& program, std::size_t i);
 
 /// Does the same, with move_name(), for all moves, for a program without moves, and for a waypoint
-/// outside the plane of a planar arm if no task is given; and for the option `recover`, because a
-/// program starts within the limits.
-void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task,
-                   double recover = 0);
+/// outside the plane of a planar arm if no task is given.
+void check_program(const Arm& arm, const Program& program, const std::optional<Task>& task);
 
 /// Throws MoveError if a motion without a start cannot begin at the waypoint of the first move.
 void check_begins(const Program& program);

@@ -16,12 +16,10 @@
 #include <beeline/planning/internal/program_planner.h>
 #include <beeline/planning/internal/program_trajectory.h>
 #include <beeline/planning/internal/unblocked_motion.h>
-#include <beeline/trajectory/internal/motion_start.h>
+#include <beeline/trajectory/internal/recovery.h>
 
 namespace beeline::internal {
 namespace {
-
-constexpr std::size_t max_trajectory = 10'000'000;  // samples: some 3 GB for seven joints
 
 class ProgramPlanner {
  public:
@@ -32,6 +30,7 @@ class ProgramPlanner {
     options_.budget = budget_.part();
     options_.task = options.task.value_or(default_task(arm));
     options_.suggest = false;
+    recover_clearance_ = std::exchange(options_.recover_clearance, 0);
     succeed();
   }
 
@@ -69,11 +68,17 @@ class ProgramPlanner {
     return fail(move, status_of<MotionStatus>(ending), ended_reason(ReasonCode::ended, ending));
   }
 
+  /// Fails in a joint motion without times.
+  bool fail_untimed(std::size_t move, const Reason& reason) {
+    return budget_.complete() ? fail(move, MotionStatus::outside_limits, reason) : fail_ended(move);
+  }
+
   bool plan(const std::optional<Configuration>& start) {
-    if (start) check_start(arm_, *start);
+    if (start) starts_outside(arm_, *start, options_.recover);
     const Move& first = program_.moves.front();
     if (!start) check_begins(program_);
-    const Pose begin = start ? forward_kinematics(arm_, *start) : waypoint_of(arm_, first);
+    const Pose begin = start ? forward_kinematics(arm_, nearest_within_limits(arm_, *start))
+                             : waypoint_of(arm_, first);
     parts_ = program_parts(arm_, program_, start ? 0 : 1, begin, options_.tool_speed);
     std::optional<Configuration> q = start ? start : first.q;
     std::optional<PathMotion> ahead;
@@ -81,6 +86,8 @@ class ProgramPlanner {
       if (!make_blends_smaller()) return false;
     }
     trajectory_.begin(arm_, *q, options_.interpolation, options_.rate);
+    const Reason reason = trajectory_.recover(arm_, timing_options(options_), budget_);
+    if (reason) return fail_untimed(0, reason);
     arrive(0);
     if (!start) {
       motion_.moves.push_back({});
@@ -233,11 +240,8 @@ class ProgramPlanner {
     RetimeOptions timing = timing_options(options_);
     timing.tool_speed = move.speed.value_or(options_.tool_speed);
     timing.budget = budget_.part();
-    if (const Reason reason = trajectory_.joint_move(arm_, *to, timing)) {
-      if (!budget_.complete()) return fail_ended(i);
-      return fail(i, MotionStatus::outside_limits, reason);
-    }
-    return true;
+    const Reason reason = trajectory_.joint_move(arm_, *to, timing);
+    return !reason || fail_untimed(i, reason);
   }
 
   /// Configurations at which the move around obstacles of part p may end, the soonest reached
@@ -292,6 +296,7 @@ class ProgramPlanner {
     std::vector<PathMotion> paths;
     FreeMotionOptions options = free_motion_options(options_);
     options.tool_speed = program_.moves[i].speed.value_or(options_.tool_speed);
+    if (i == 0) options.recover_clearance = recover_clearance_;
     std::optional<FreeMotion> failed;  // the search for the soonest goals
     while (!left.empty() && !budget_.ended()) {
       const std::vector<Configuration> goals = next_goals(p, left, paths);
@@ -320,14 +325,8 @@ class ProgramPlanner {
   /// Adds the dwell of move i.
   bool pause(std::size_t i) {
     arrive(i + 1);
-    const double dwell = program_.moves[i].dwell;
-    const double needed = static_cast<double>(trajectory_.last()) + dwell * options_.rate;
-    if (needed > static_cast<double>(max_trajectory)) {
-      return fail(i, MotionStatus::too_many_samples,
-                  {ReasonCode::program_too_long, {{ReasonField::max_samples, max_trajectory}}});
-    }
-    trajectory_.dwell(dwell);
-    return true;
+    const Reason reason = trajectory_.dwell(program_.moves[i].dwell);
+    return !reason || fail(i, MotionStatus::too_many_samples, reason);
   }
 
   bool add_path(std::size_t p, std::optional<PathMotion>& ahead) {
@@ -381,6 +380,7 @@ class ProgramPlanner {
   BudgetMeter budget_;
   PathMotionOptions options_;
   const CollisionModel* model_;
+  double recover_clearance_ = 0;  ///< of a first move around obstacles
   ProgramMotion motion_;
   std::vector<ProgramPart> parts_;
   LineBlends line_blends_;

@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include <beeline/planning/internal/program_trajectory.h>
+#include <beeline/timing/internal/recovery_section.h>
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
+#include <beeline/trajectory/internal/recovery.h>
 
 namespace beeline::internal {
 namespace {
@@ -56,9 +58,24 @@ Reason ProgramTrajectory::joint_move(const Arm& arm, const Configuration& to,
   return {};
 }
 
-void ProgramTrajectory::dwell(double seconds) {
-  constexpr double rounding = 1e-6;  // of a period
-  if (seconds < nearest_dwell) return;
+Reason ProgramTrajectory::recover(const Arm& arm, const RetimeOptions& options,
+                                  BudgetMeter& budget) {
+  if (largest_excess(arm, positions().back()) <= position_slack) return {};
+  const Retimed section = recovery_section(arm, positions().back(), options, budget);
+  if (!section) return section.reason;
+  append(section.trajectory);
+  stop();
+  return {};
+}
+
+Reason ProgramTrajectory::dwell(double seconds) {
+  constexpr double rounding = 1e-6;                // of a period
+  constexpr std::size_t max_samples = 10'000'000;  // some 3 GB for seven joints
+  const double needed = static_cast<double>(last()) + seconds * rate_;
+  if (needed > static_cast<double>(max_samples)) {
+    return {ReasonCode::program_too_long, {{ReasonField::max_samples, max_samples}}};
+  }
+  if (seconds < nearest_dwell) return {};
   const std::vector<double>& t = trajectory_.times;
   if (is_linear() && t.size() > 1) seconds = std::max(seconds, t.back() - t[t.size() - 2]);
   const double periods = rate_ > 0 ? std::max(1.0, std::ceil(seconds * rate_ - rounding)) : 1;
@@ -66,6 +83,7 @@ void ProgramTrajectory::dwell(double seconds) {
   for (double k = 0; k < periods; ++k) {
     append_sample(trajectory_, trajectory_, last(), trajectory_.times.back() + period);
   }
+  return {};
 }
 
 Trajectory ProgramTrajectory::finished() const {

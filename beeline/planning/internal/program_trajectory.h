@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <beeline/internal/budget_meter.h>
 #include <beeline/timing/retime.h>
 #include <beeline/trajectory/trajectory.h>
 
@@ -30,9 +31,14 @@ class ProgramTrajectory {
   /// Appends a motion to `to` along a straight line in joint space, or returns why there is none.
   Reason joint_move(const Arm& arm, const Configuration& to, const RetimeOptions& options);
 
+  /// Appends the section that leads back within the position limits, see recovery_section(), if the
+  /// last sample is outside, or returns why there is none.
+  Reason recover(const Arm& arm, const RetimeOptions& options, BudgetMeter& budget);
+
   /// Appends the last sample after a pause of this many seconds; with a rate after each period, up
-  /// to whole periods. Linear joints without a rate rest for at least the interval before.
-  void dwell(double seconds);
+  /// to whole periods. Linear joints without a rate rest for at least the interval before. Returns
+  /// a reason where these are too many samples.
+  Reason dwell(double seconds);
 
   /// The trajectory: with a rate, sample k is at k / rate. Its times are whole nanoseconds.
   Trajectory finished() const;

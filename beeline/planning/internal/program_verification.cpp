@@ -6,7 +6,7 @@ using namespace internal;
 
 Verification verify(const Arm& arm, const Trajectory& given, const Program& program,
                     const VerifyOptions& options) {
-  check_program(arm, program, options.task, options.recover);
+  check_program(arm, program, options.task);
   const Trajectory trajectory = matched_to(arm, given);
   if (trajectory.size() == 0) throw Error("the trajectory has no samples");
   BudgetMeter budget(options.budget);

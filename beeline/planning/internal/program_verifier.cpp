@@ -33,9 +33,11 @@ Verification ProgramVerifier::run() {
   const Move& first = program_.moves.front();
   Verification& result = now_.result;
   // A joint motion may change the configuration at the same pose.
-  const bool begins = !is_joint_motion(first.kind) && rests_.offset(first, 0) <= 1;
-  if (begins) result.arrivals.push_back(0);
-  const Pose begin = begins ? waypoint_of(arm_, first) : tool_at(0);
+  result.recovery = accepted_recovery(arm_, trajectory_, options_.recover);
+  now_.begin = begin_of_path(result.recovery);
+  const bool begins = !is_joint_motion(first.kind) && rests_.offset(first, now_.begin) <= 1;
+  if (begins) result.arrivals.push_back(now_.begin);
+  const Pose begin = begins ? waypoint_of(arm_, first) : tool_at(now_.begin);
   parts_ = program_parts(arm_, program_, begins ? 1 : 0, begin, Limits::none);
   bool passed = !begins || check_dwell(0);
   while (passed && now_.part < parts_.size()) {
@@ -46,7 +48,7 @@ Verification ProgramVerifier::run() {
   // Last, so that the progress of candidates is copied without them.
   result.deviation.interval_bounds = std::move(interval_bounds_);
   const auto joint = first_joint_fault(arm_, trajectory_, options_.moving, options_.budget,
-                                       options_.limit_tolerance);
+                                       options_.limit_tolerance, options_.recover);
   if (!budget_.complete()) {
     end(budget_.ending(), ended_reason(ReasonCode::ended_before_check, budget_.ending()));
   }

@@ -168,8 +168,8 @@ TEST(PlanningScene, RefusalsNameTheValue) {
       "cell.yaml:4: world.collision_objects[0].meshes[0].vertices is cut off at \"...\"; ros2 "
       "topic echo --full-length writes all of it");
   EXPECT_EQ(refusal([] { scene_from_text("", "cell.txt"); }),
-            "cell.txt: is not a known kind of scene; known are .json, .urdf, .xml, .scene, .yaml, "
-            ".yml, .ply, .npy");
+            "cell.txt: is not a known kind of scene; known are .urdf, .xml, .mjcf, .xacro, .json, "
+            ".scene, .yaml, .yml, .ply, .npy");
   // What is misspelt is not lost.
   EXPECT_EQ(of("world: {collision_object: []}\n").substr(0, 30), "cell.yaml:1: world: unknown ke");
   EXPECT_EQ(of(with_objects("    - {id: a, primitive: []}\n")).substr(0, 50),

@@ -176,7 +176,7 @@ export class Holding implements Hand {
   private inWords(found: InverseAnswer, away: number | null): string {
     const { code, fields } = found;
     const digits = (value: number): string => text(value, 3);
-    const isFar = code === "position_unreachable" || code === "beyond_reach";
+    const isFar = code === "position_unreachable";
     if (away !== null) {
       const why = isFar ? "Out of reach." : reasonInWords(found, this.wording);
       return away < 1e-3 * (this.shown?.picture.size ?? 1) ? why : `${why} The tool stays ${digits(away)} m away.`;

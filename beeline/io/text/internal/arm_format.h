@@ -20,6 +20,12 @@ struct ArmFormat {
                       const ShapeOptions& options, const std::vector<Srdf::State>& states);
 };
 
+/// The endings with dots, of all formats or of those that describe trees of links.
+std::vector<std::string> known_endings(bool trees_only = false);
+
+/// Throws Error for joints that are held, in a file that has none beside the chain.
+void refuse_hold(const ShapeOptions& options);
+
 /// Returns the format with the ending of the path; null for another ending.
 const ArmFormat* arm_format_of(std::string_view path);
 

@@ -129,7 +129,7 @@ ChainEnds internal::group_ends(const Srdf& srdf, const std::string& group, std::
 }
 
 ChainEnds group_ends(const Srdf& srdf, const std::string& group, const std::string& urdf_path) {
-  if (!is_urdf_path(urdf_path)) {
+  if (!has_link_tree_ending(urdf_path)) {
     throw Error("a group selects a chain of a URDF file; " + internal::in_quotes(urdf_path) +
                 " is not one");
   }

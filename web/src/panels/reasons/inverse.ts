@@ -46,11 +46,6 @@ function outOfReach(fields: Fields): string | null {
           ? `the tool comes to the position, but its orientation stays ${fields.angle("angle")} off`
           : `the tool cannot take this orientation: the nearest is ${fields.angle("angle")} off`) + fewJoints(fields)
       );
-    case "beyond_reach":
-      return (
-        `the pose is ${fields.length("excess")} beyond the reach of the arm: it is ${fields.length("distance")} from ` +
-        `${fields.point("centre")}, and the tool comes at most ${fields.length("radius")} away`
-      );
     case "tilted_off_axes":
       return (
         `the orientation is tilted by ${fields.angle("angle")}: all axes of the joints are parallel, and they alone ` +

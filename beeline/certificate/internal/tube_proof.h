@@ -35,15 +35,15 @@ struct ReleasedPair {
   double distance = 0;
 };
 
-/// Tests whether pairs of bodies keep their clearance over a joint tube.
-class TubeTest {
+/// Proves that pairs of bodies keep their clearance over a joint tube.
+class TubeProof {
  public:
   /// All tubes are parts of the motion that the tube `whole` contains. `beyond` is added to the
   /// clearances.
-  TubeTest(const CollisionBodies& bodies, const TubeValues& whole, double beyond);
+  TubeProof(const CollisionBodies& bodies, const TubeValues& whole, double beyond);
 
   /// Sets the pairs that must keep another distance, in the order of comes_before(). The argument
-  /// outlives the tests.
+  /// outlives the proofs.
   void release(std::span<const ReleasedPair> pairs) { released_ = pairs; }
 
   /// An order of pairs of bodies.

@@ -1,5 +1,5 @@
 #include <beeline/io/text/internal/pose_json.h>
-#include <beeline/io/text/internal/written_orientations.h>
+#include <beeline/io/text/internal/written_angles.h>
 
 namespace beeline::internal {
 
@@ -17,6 +17,27 @@ std::vector<WrittenOrientation> written_orientations(const JsonDocument& documen
     for (const Json& joint : document.items(*joints)) {
       add(joint, "origin", document.text(document.need(joint, "name")));
     }
+  }
+  return found;
+}
+
+AngleUnit unit_of_dh(const JsonDocument& document) {
+  const Json* dh = document.find(document.root(), "dh");
+  const Json* degrees = dh == nullptr ? nullptr : document.find(*dh, "degrees");
+  return degrees != nullptr && document.truth(*degrees) ? AngleUnit::degrees : AngleUnit::radians;
+}
+
+std::vector<WrittenDhAngle> written_dh_angles(const JsonDocument& document) {
+  std::vector<WrittenDhAngle> found;
+  const Json* dh = document.find(document.root(), "dh");
+  if (dh == nullptr) return found;
+  std::size_t i = 0;
+  for (const Json& row : document.items(document.need(*dh, "rows"))) {
+    for (const char* key : {"alpha", "theta"}) {
+      const Json* angle = document.find(row, key);
+      if (angle != nullptr) found.push_back({i, key, document.number(*angle), angle->line});
+    }
+    ++i;
   }
   return found;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <beeline/io/text/json.h>
+#include <beeline/io/text/pose_list.h>
 #include <beeline/pose/se3.h>
 
 namespace beeline::internal {
@@ -18,5 +19,19 @@ struct WrittenOrientation {
 
 /// Returns the orientations of all poses of an arm file that are given by roll, pitch and yaw.
 std::vector<WrittenOrientation> written_orientations(const JsonDocument& document);
+
+/// An angle of a Denavit-Hartenberg table in an arm file.
+struct WrittenDhAngle {
+  std::size_t row = 0;
+  std::string key;   ///< `alpha` or `theta`
+  double angle = 0;  ///< in the unit of the table
+  int line = 0;
+};
+
+/// Returns the unit of the angles of the Denavit-Hartenberg table, radians if there is none.
+AngleUnit unit_of_dh(const JsonDocument& document);
+
+/// Returns the angles of the Denavit-Hartenberg table in the order of its rows; none without one.
+std::vector<WrittenDhAngle> written_dh_angles(const JsonDocument& document);
 
 }  // namespace beeline::internal

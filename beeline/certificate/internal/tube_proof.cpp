@@ -3,7 +3,7 @@
 #include <limits>
 #include <tuple>
 
-#include <beeline/certificate/internal/tube_test.h>
+#include <beeline/certificate/internal/tube_proof.h>
 
 namespace beeline::internal {
 namespace {
@@ -25,7 +25,7 @@ ChainMotion& copied_into(std::optional<ChainMotion>& copy, const ChainMotion& mo
 
 }  // namespace
 
-TubeTest::TubeTest(const CollisionBodies& bodies, const TubeValues& whole, double beyond)
+TubeProof::TubeProof(const CollisionBodies& bodies, const TubeValues& whole, double beyond)
     : bodies_(bodies),
       beyond_(beyond),
       motion_(copied_into(scratch_->motion, bodies.motion)),
@@ -35,7 +35,7 @@ TubeTest::TubeTest(const CollisionBodies& bodies, const TubeValues& whole, doubl
 }
 
 /// Sets the reach that depends on the motion: of groups behind joints that slide.
-void TubeTest::set_reach(const TubeValues& whole) {
+void TubeProof::set_reach(const TubeValues& whole) {
   const auto depends = [](const CollisionBodies::BodyGroup& group) {
     return group.reach.of.empty();
   };
@@ -56,17 +56,17 @@ void TubeTest::set_reach(const TubeValues& whole) {
   }
 }
 
-void TubeTest::place(const JointTube& tube) {
+void TubeProof::place(const JointTube& tube) {
   motion_.set(tube);
   ++tube_;
 }
 
-const JointReach& TubeTest::reach(std::uint32_t i) const {
+const JointReach& TubeProof::reach(std::uint32_t i) const {
   const JointReach& constant = bodies_.groups[i].reach;
   return constant.of.empty() ? scratch_->reach[i] : constant;
 }
 
-void TubeTest::place_group(std::uint32_t i) {
+void TubeProof::place_group(std::uint32_t i) {
   Placed& placed = placed_[i];
   if (placed.tube == tube_) return;
   placed.tube = tube_;
@@ -76,16 +76,16 @@ void TubeTest::place_group(std::uint32_t i) {
   placed.rounding = motion_.rounding(group.frame, group.magnitude);
 }
 
-void TubeTest::place_both(const OpenPair& pair) {
+void TubeProof::place_both(const OpenPair& pair) {
   place_group(pair.body);
   if (is_of_links(pair)) place_group(pair.other);
 }
 
-bool TubeTest::is_of_links(const OpenPair& pair) const {
+bool TubeProof::is_of_links(const OpenPair& pair) const {
   return pair.with == OpenPair::With::link || pair.with == OpenPair::With::group;
 }
 
-double TubeTest::clearance(const OpenPair& pair) const {
+double TubeProof::clearance(const OpenPair& pair) const {
   switch (pair.with) {
     case OpenPair::With::link:
     case OpenPair::With::group:
@@ -98,41 +98,41 @@ double TubeTest::clearance(const OpenPair& pair) const {
   return bodies_.options.clearance;
 }
 
-bool TubeTest::comes_before(const OpenPair& a, const OpenPair& b) {
+bool TubeProof::comes_before(const OpenPair& a, const OpenPair& b) {
   return std::tie(a.with, a.body, a.other) < std::tie(b.with, b.body, b.other);
 }
 
-const ReleasedPair* TubeTest::released(const OpenPair& pair) const {
+const ReleasedPair* TubeProof::released(const OpenPair& pair) const {
   const auto found = std::lower_bound(
       released_.begin(), released_.end(), pair,
       [](const ReleasedPair& a, const OpenPair& b) { return comes_before(a.pair, b); });
   return found == released_.end() || comes_before(pair, found->pair) ? nullptr : &*found;
 }
 
-double TubeTest::required(const OpenPair& pair) const {
+double TubeProof::required(const OpenPair& pair) const {
   const ReleasedPair* const other = released(pair);
   return other == nullptr ? clearance(pair) + beyond_ : other->distance;
 }
 
-bool TubeTest::is_too_close(const OpenPair& pair, const BodyDistance& found) const {
+bool TubeProof::is_too_close(const OpenPair& pair, const BodyDistance& found) const {
   const ReleasedPair* const other = released(pair);
   if (other == nullptr) return found.upper < found.clearance + beyond_;
   return found.upper < found.clearance && found.lower < other->distance;
 }
 
-double TubeTest::smallest_motion(const OpenPair& pair, double resolution) const {
+double TubeProof::smallest_motion(const OpenPair& pair, double resolution) const {
   const double smallest =
       released(pair) == nullptr ? resolution * clearance(pair) : smallest_released_motion;
   return std::max(smallest, 16 * rounding(pair));
 }
 
-double TubeTest::displacement(const OpenPair& pair) const {
+double TubeProof::displacement(const OpenPair& pair) const {
   if (!is_of_links(pair)) return placed_[pair.body].capsule.bounds.displacement;
   return motion_.displacement(reach(pair.body), bodies_.groups[pair.body].frame,
                               bodies_.groups[pair.other].frame);
 }
 
-double TubeTest::rounding(const OpenPair& pair) const {
+double TubeProof::rounding(const OpenPair& pair) const {
   const double own = placed_[pair.body].rounding;
   switch (pair.with) {
     case OpenPair::With::link:
@@ -146,18 +146,18 @@ double TubeTest::rounding(const OpenPair& pair) const {
   return own;
 }
 
-double TubeTest::size_of(std::uint32_t group) const {
+double TubeProof::size_of(std::uint32_t group) const {
   return bodies_.groups[group].is_single() ? 0 : bodies_.groups[group].size;
 }
 
-bool TubeTest::is_coarse_group_pair(const OpenPair& pair) const {
+bool TubeProof::is_coarse_group_pair(const OpenPair& pair) const {
   // A pair that rounding alone keeps open is divided too.
   return std::max(size_of(pair.body), size_of(pair.other)) + bodies_.options.clearance +
              16 * rounding(pair) >=
          displacement(pair);
 }
 
-bool TubeTest::is_coarse_node(std::uint32_t group, std::uint32_t index) const {
+bool TubeProof::is_coarse_node(std::uint32_t group, std::uint32_t index) const {
   const Placed& placed = placed_[group];
   const BoxTree::Node& node = bodies_.tree.node(index);
   const double rounding = placed.rounding + bodies_.tree.boxes().rounding_of(index);
@@ -165,7 +165,7 @@ bool TubeTest::is_coarse_node(std::uint32_t group, std::uint32_t index) const {
          placed.capsule.bounds.displacement;
 }
 
-void TubeTest::divide_group_pair(const OpenPair& pair, std::vector<OpenPair>& into) const {
+void TubeProof::divide_group_pair(const OpenPair& pair, std::vector<OpenPair>& into) const {
   const CollisionBodies::GroupPair& groups = bodies_.group_pairs[pair.group_pair];
   for (std::uint32_t i = groups.begin; i < groups.end; ++i) {
     const CollisionBodies::SelfPair& bodies = bodies_.self_pairs[i];
@@ -173,7 +173,7 @@ void TubeTest::divide_group_pair(const OpenPair& pair, std::vector<OpenPair>& in
   }
 }
 
-void TubeTest::search_tree(std::uint32_t group, TreeSearch& search) {
+void TubeProof::search_tree(std::uint32_t group, TreeSearch& search) {
   std::vector<std::uint32_t>& split = scratch_->split;
   split.clear();
   search_nodes(group, search);
@@ -185,7 +185,7 @@ void TubeTest::search_tree(std::uint32_t group, TreeSearch& search) {
   }
 }
 
-void TubeTest::search_nodes(std::uint32_t group, TreeSearch& search) {
+void TubeProof::search_nodes(std::uint32_t group, TreeSearch& search) {
   place_group(group);
   const Placed& placed = placed_[group];
   std::array<double, boxes_at_once> gaps;
@@ -208,7 +208,7 @@ void TubeTest::search_nodes(std::uint32_t group, TreeSearch& search) {
 }
 
 /// Adds what a pair of a group and a node consists of, or the pair itself if the motion is larger.
-void TubeTest::divide_node(const OpenPair& pair, TreeSearch& search) {
+void TubeProof::divide_node(const OpenPair& pair, TreeSearch& search) {
   const BoxTree::Node& node = bodies_.tree.node(pair.other);
   const CollisionBodies::BodyGroup& group = bodies_.groups[pair.body];
   const bool is_leaf = node.right == 0;
@@ -229,7 +229,7 @@ void TubeTest::divide_node(const OpenPair& pair, TreeSearch& search) {
   }
 }
 
-TubeTest::Bound TubeTest::bound(OpenPair& pair) {
+TubeProof::Bound TubeProof::bound(OpenPair& pair) {
   place_both(pair);
   Bound found{nothing_proved, required(pair)};
   const bool is_tried = released(pair) != nullptr;  // the groups have no direction in contact
@@ -253,7 +253,7 @@ TubeTest::Bound TubeTest::bound(OpenPair& pair) {
   return found;
 }
 
-double TubeTest::gap_of_groups(const OpenPair& pair) const {
+double TubeProof::gap_of_groups(const OpenPair& pair) const {
   const BoundingCapsule& other = placed_[pair.other].capsule.at_middle;
   const MovingCapsule& first = placed_[pair.body].capsule;
   Vector3 n = towards(first.at_middle, other);
@@ -264,7 +264,7 @@ double TubeTest::gap_of_groups(const OpenPair& pair) const {
   return lowest_along(other, n) - highest_along(relative, n) - rounding(pair);
 }
 
-double TubeTest::gap_to_obstacle(const OpenPair& pair) const {
+double TubeProof::gap_to_obstacle(const OpenPair& pair) const {
   const ConvexBody& obstacle = bodies_.obstacle_bodies[pair.other].body;
   const MovingCapsule& capsule = placed_[pair.body].capsule;
   Vector3 n = -obstacle.axes.col(2);
@@ -278,7 +278,7 @@ double TubeTest::gap_to_obstacle(const OpenPair& pair) const {
 }
 
 /// Whether the direction of the groups is the best one at the middle of the tube.
-bool TubeTest::is_exact(const OpenPair& pair) const {
+bool TubeProof::is_exact(const OpenPair& pair) const {
   const CollisionBodies::BodyGroup& group = bodies_.groups[pair.body];
   if (!group.is_body) return false;
   if (pair.with == OpenPair::With::link) return bodies_.groups[pair.other].is_body;
@@ -289,7 +289,7 @@ bool TubeTest::is_exact(const OpenPair& pair) const {
 
 /// Whether the bodies of two links may be proved although their capsules are not: less than the
 /// capsules' excess is missing, or the motion is so small that nothing else is left to try.
-bool TubeTest::may_improve(const OpenPair& pair, const Bound& found) const {
+bool TubeProof::may_improve(const OpenPair& pair, const Bound& found) const {
   const double excess = bodies_.groups[pair.body].excess + bodies_.groups[pair.other].excess;
   return found.required - found.distance <= excess ||
          displacement(pair) <= excess + clearance(pair) + 16 * rounding(pair);
@@ -297,7 +297,7 @@ bool TubeTest::may_improve(const OpenPair& pair, const Bound& found) const {
 
 /// Tries the support values of the bodies themselves along the last direction of the pair and along
 /// the one between the nearest points.
-void TubeTest::improve(OpenPair& pair, Bound& found) const {
+void TubeProof::improve(OpenPair& pair, Bound& found) const {
   const bool is_link = pair.with == OpenPair::With::link;
   const CarriedBody& carried = bodies_.link_bodies[pair.body].carried;
   const CarriedBody* const earlier = is_link ? &bodies_.link_bodies[pair.other].carried : nullptr;
@@ -324,7 +324,7 @@ void TubeTest::improve(OpenPair& pair, Bound& found) const {
   try_direction(points.direction);
 }
 
-BodyDistance TubeTest::distance(const OpenPair& pair) {
+BodyDistance TubeProof::distance(const OpenPair& pair) {
   place_both(pair);
   const bool is_link = pair.with == OpenPair::With::link;
   const auto& link = bodies_.link_bodies[pair.body];
