@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <beeline/model/catalog.h>
+#include <beeline/trajectory/limit_usage.h>
 
 #include <tests/inverse/answer.h>
 #include <tests/typical_arms.h>
@@ -153,6 +154,51 @@ TEST(SingularPoses, WithAToolThatPointsDownOfFiveJoints) {
     const InverseOptions options{.task = task, .all = i % 5 == 0};
     testing::expect_solved(arm, pose, task, inverse_kinematics(arm, pose, options));
   }
+}
+
+/// A 6R arm with an offset at the shoulder whose upper arm and forearm are equal: folded, its wrist
+/// is on the axis of the elbow.
+Arm folding_arm() {
+  const double right = pi / 2;
+  const std::vector<DhRow> rows{{.a = 0.05, .alpha = -right, .d = 0.478},
+                                {.a = 0.425, .theta = -right},
+                                {.alpha = right, .d = 0.05, .theta = right},
+                                {.alpha = -right, .d = 0.425},
+                                {.alpha = right},
+                                {.d = 0.1}};
+  return arm_from_dh("folding", rows, DhConvention::standard);
+}
+
+// The solution next to the seed is lost to rounding in the closed form, the others are not.
+TEST(SingularPoses, ASeedNextToASolutionLeadsToIt) {
+  Random random;
+  std::vector<std::pair<Arm, int>> arms{{folding_arm(), 2}};
+  for (const char* name : {"ur5", "ur10e", "nova5", "tm5_900", "puma560", "irb120", "m1013"}) {
+    arms.emplace_back(built_in(name), 4);
+  }
+  int far = 0, count = 0;
+  for (const auto& [arm, joint] : arms) {
+    for (int i = 0; i < testing::cases(400); ++i) {
+      Configuration q = 0.6 * random.configuration(arm);
+      const double straight = joint == 2 ? pi : 0;
+      q[joint] = straight + (random.integer(0, 1) ? 1 : -1) * std::pow(10, random.uniform(-10, -2));
+      if (!within(internal::bounds_of(arm), q)) continue;
+      Configuration seed =
+          q + 1e-3 * Configuration::NullaryExpr(6, [&] { return random.uniform(-1, 1); });
+      if (i % 4 == 0) seed = q;
+      seed = nearest_within_limits(arm, seed);
+      const Pose pose = forward_kinematics(arm, q);
+      const InverseResult result = inverse_kinematics(arm, pose, {.seed = seed});
+      Eigen::MatrixXd column(6, 1);
+      ASSERT_TRUE(result) << arm.name() << ' ' << q.transpose();
+      ASSERT_EQ(inverse_kinematics(arm, pose, seed, column), 1);
+      // Next to the singularity the pose determines the joints to the root of rounding.
+      const double near = 5 * (q - seed).norm() + 1e-6;
+      ++count;
+      far += (result.solutions[0] - seed).norm() > near || (column.col(0) - seed).norm() > near;
+    }
+  }
+  EXPECT_LE(far, 1 + count / 100) << "of " << count;
 }
 
 }  // namespace
