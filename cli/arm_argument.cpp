@@ -126,6 +126,11 @@ Arm ArmArgument::read(const UnitArgument& unit, bool reports_faults) const {
   if (!tcp.empty()) {
     const Pose tool_T_tcp = parse_frame_option(described, "--tcp", tcp, unit).pose;
     warn_of_distance("--tcp", offset_in_millimetres(described, tool_T_tcp), unit);
+    const double length = tool_T_tcp.translation().norm();
+    if (unit.millimetres && length > 0 && length < 1e-3) {
+      warn("--tcp moves the tool by " + number(length * 1000) +
+           " mm; with --millimetres its position is in millimetres, like all others");
+    }
     arm = with_tcp(arm, tool_T_tcp);
   }
   if (!mount.empty()) {

@@ -141,7 +141,7 @@ Json check_document(const CheckArguments& arguments, const Arm& arm, const Traje
                 {"time", faulty     ? Json(verification.time)
                          : has_pair ? Json(checked.clearance->proof.time)
                                     : Json()},
-                {"duration", trajectory.times.back()}};
+                {"duration", trajectory.duration()}};
   document.add("faults", json_faults(verification));
   document.add("checked", checks_of(checked));
   const LimitUsage& limits = checked.limits;
@@ -165,7 +165,7 @@ std::string check_text(const CheckArguments& arguments, const Arm& arm,
   const Verification& verification = checked.verification;
   std::string text = fmt::format("{}: {} in {} s", status_of(checked),
                                  counted(static_cast<std::int64_t>(trajectory.size()), "sample"),
-                                 shown(trajectory.times.back()));
+                                 shown(trajectory.duration()));
   if (checked.has_path) {
     text += " through " + counted(static_cast<std::int64_t>(checked.count),
                                   checked.program ? "move" : "waypoint");

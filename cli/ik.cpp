@@ -57,9 +57,15 @@ Residual residual_of(const UnitArgument& unit, const Arm& arm, const InverseResu
   return {result.residual};
 }
 
+bool has_position_limits(const Arm& arm) {
+  return std::any_of(arm.limits().begin(), arm.limits().end(), [](const Limits& limits) {
+    return std::isfinite(limits.lower) || std::isfinite(limits.upper);
+  });
+}
+
 /// Which of the solutions that exist are given; empty if that is not known.
-std::string completeness(const Arm& arm, const InverseResult& result) {
-  if (result.complete) return ", all that exist,";
+std::string completeness(const Arm& arm, const InverseResult& result, bool limited) {
+  if (result.complete) return limited ? ", all that exist within the limits," : ", all that exist,";
   const bool only_turns_left = result.branches_complete && result.self_motion_dimension == 0;
   if (only_turns_left) return ", of joints without limits in the turn nearest to the seed,";
   if (!result.grid || result.solutions.size() + result.blocked.size() == 0) return {};
@@ -144,13 +150,14 @@ std::string residual_text(const InverseResult& result, const Residual& residual)
   return (error ? fmt::format("{:.2g}", residual.value) : shown(residual.value)) + residual.unit;
 }
 
+/// `limited`: whether solutions outside joint limits do not count.
 std::string ik_text(const Arm& arm, const InverseResult& result, const CheckedScene* scene,
-                    bool in_plane, const UnitArgument& unit) {
+                    bool in_plane, bool limited, const UnitArgument& unit) {
   const bool solved = result.status == InverseStatus::solved;
   const Residual residual = residual_of(unit, arm, result);
   std::string text =
       fmt::format("{}: {}{} by {}, residual {}\n", name(result.status),
-                  number_of_solutions(result, scene != nullptr), completeness(arm, result),
+                  number_of_solutions(result, scene != nullptr), completeness(arm, result, limited),
                   result.method, residual_text(result, residual)) +
       solutions_text(arm, result, unit) + blocked_text(arm, result.blocked, unit);
   if (result.deviation) text += tool_deviation_text(arm, *result.deviation, unit);
@@ -242,7 +249,8 @@ Answer ik(const IkArguments& arguments) {
   }
   const Residual residual = residual_of(arguments.unit, arm, result);
   return {
-      .text = ik_text(arm, result, in_scene, arguments.arm.shown_in_plane(arm), arguments.unit),
+      .text = ik_text(arm, result, in_scene, arguments.arm.shown_in_plane(arm),
+                      !options.ignore_limits && has_position_limits(arm), arguments.unit),
       .document = ik_document(arm, result, in_scene, arguments.unit),
       .units = {{"residual", residual.unit.empty() ? "m or rad" : residual.unit.substr(1)}},
       .yes = solved,

@@ -177,7 +177,7 @@ std::vector<Option> playing_options(ReplayArguments& arguments) {
           &arguments.from),
       Option("--speed K",
              "Playback speed: velocities x K, accelerations x K^2, jerks x K^3; at 0.5 the motion "
-             "takes twice the recorded time.",
+             "takes twice the recorded time, and so does the lead-in, which is never sped up.",
              &replay.speed, {.range = above_zero}),
       Option("--speed-at T:K,...",
              "Playback speeds from 0 (pause) to 1 and the times at which they begin, lead-in "

@@ -139,8 +139,9 @@ Reason base_blocked_by(const CollisionModel& model);
 /// exceed them by up to 15 mm.
 constexpr double max_standing_overlap = 0.02;
 
-/// Returns the names of the obstacles that are farther from the arm than ten times its reach, as
-/// numbers in millimetres put them. Requires valid shapes.
+/// Returns the names of the obstacles that are farther from the arm than ten times its reach, or
+/// whose shapes all have a radius of more than a hundred times, as numbers in millimetres put them.
+/// Requires valid shapes.
 std::vector<std::string> far_obstacles(const Arm& arm, const Scene& scene);
 
 }  // namespace beeline

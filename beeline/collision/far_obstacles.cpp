@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <beeline/collision/collision_model.h>
 #include <beeline/collision/internal/convex_body.h>
@@ -9,7 +10,9 @@ std::vector<std::string> far_obstacles(const Arm& arm, const Scene& scene) {
   const Arm::Reach& reach = arm.reach();
   const auto is_far = [&](const Shape& shape) {
     const internal::ConvexBody body = internal::convex_body(shape);
-    return far_from(reach, (body.centre - reach.centre).norm() - body.bound);
+    constexpr double large = 10;  // times the distance that is far
+    const bool is_large = std::isfinite(body.bound) && far_from(reach, body.bound / large);
+    return is_large || far_from(reach, (body.centre - reach.centre).norm() - body.bound);
   };
   std::vector<std::string> names;
   for (const Obstacle& obstacle : scene.obstacles) {

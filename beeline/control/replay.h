@@ -23,7 +23,9 @@ struct ReplayOptions {
   /// Samples per second, 0 or at least 0.001. With 0 the samples are the recorded ones or, with
   /// `speed_at`, 100 per second.
   double rate = 0;
-  double speed = 1;  ///< factor on the recording's speed, above 0; 0.5 takes twice its time
+  /// Factor on the recording's speed, above 0; 0.5 takes twice its time. Below 1 it slows down the
+  /// lead-in too.
+  double speed = 1;
   /// Configuration from which a motion leads to the first sample, (n,); default: the replay begins
   /// at the first sample.
   std::optional<Configuration> start = std::nullopt;

@@ -25,6 +25,25 @@ TEST(TrajectoryFile, TheEndingGivesTheFormat) {
   EXPECT_EQ(folder.count(), 3u);
 }
 
+TEST(TrajectoryFile, PlansOfMoveItHoldATrajectory) {
+  testing::Random random;
+  const Trajectory trajectory = testing::in_nanoseconds(testing::random_trajectory(random));
+  const std::string message = internal::trajectory_to_json(trajectory);
+  for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{
+           {R"({"joint_trajectory": )", R"(, "multi_dof_joint_trajectory": {"points": []}})"},
+           {R"({"trajectory": )", "}"},
+           {R"({"model_id": "a", "trajectory": [{"joint_trajectory": )", "}]}"}}) {
+    const std::string text = before + message + after;
+    EXPECT_TRUE(testing::same(internal::trajectory_from_json(text, "a.json"), trajectory)) << text;
+  }
+  EXPECT_REFUSED(internal::trajectory_from_json(R"({"joint_trajectory": {}})", "a.json"),
+                 "joint_names");
+  EXPECT_REFUSED(internal::trajectory_from_json(R"({"trajectory": [1, 2]})", "a.json"), "a.json");
+  EXPECT_REFUSED(internal::trajectory_from_json(
+                     R"({"joint_trajectory": {"joint_names": ["a"], "points": [{}]}})", "a.json"),
+                 "points[0]");
+}
+
 TEST(TrajectoryFile, OtherFormatsAreRefused) {
   testing::Random random;
   const testing::TemporaryFolder folder;

@@ -80,12 +80,13 @@ bool refuse_speed(const PlayedMotion& motion, double speed, ReplayAttempt& attem
 PlayedSection lead_in(const PlayedMotion& recorded, const ReplayOptions& options) {
   const Arm& arm = recorded.arm;
   const bool steady = options.speed_at.empty();
+  const double speed = std::min(options.speed, 1.0);
   const PointToPoint line =
       point_to_point(arm, *options.start, recorded.recording.positions.front(),
                      {.synchronise = Synchronise::straight});
   double rate = options.rate > 0 ? options.rate : default_replay_rate;
   if (steady && options.rate == 0) {
-    rate = std::min(lead_in_samples / line.duration, max_lead_in_rate);
+    rate = std::min(lead_in_samples / line.duration * speed, max_lead_in_rate);
   }
   const Trajectory motion = sampled(arm, line, rate, recorded.budget.part());
   if (motion.size() == 0) {
@@ -94,7 +95,8 @@ PlayedSection lead_in(const PlayedMotion& recorded, const ReplayOptions& options
   PlayedMotion played{arm, motion, recorded.interpolation, held_limits(arm, motion, 1),
                       recorded.budget};
   played.max_slowdown = recorded.max_slowdown;
-  return steady ? at_constant_speed(played, 1, rate) : with_speed_changes(played, options, rate);
+  return steady ? at_constant_speed(played, speed, rate)
+                : with_speed_changes(played, options, rate);
 }
 
 /// Plays the lead-in, if there is one, and the recording.

@@ -82,6 +82,30 @@ void append_member(std::string& text, const char* key, const std::vector<Configu
   text += "], ";
 }
 
+/// The member with this key; null if there is none.
+Json* member_of(Json& json, std::string_view key) {
+  auto* members = std::get_if<Json::Members>(&json.value);
+  if (members == nullptr) return nullptr;
+  for (auto& [name, member] : *members) {
+    if (name == key) return &member;
+  }
+  return nullptr;
+}
+
+/// The part of a goal or a plan of MoveIt that is a message, also where a list has it alone; null
+/// if there is none.
+Json* message_in(Json& root) {
+  Json* part = nullptr;
+  for (const char* key : {"trajectory", "joint_trajectory"}) {
+    if (part == nullptr) part = member_of(root, key);
+  }
+  if (part == nullptr) return nullptr;
+  auto* items = std::get_if<Json::Items>(&part->value);
+  if (items != nullptr && items->size() == 1) part = &items->front();
+  Json* const inner = message_in(*part);
+  return inner == nullptr ? part : inner;
+}
+
 }  // namespace
 
 std::pair<double, double> seconds_and_nanoseconds(const JsonDocument& document, const Json& json) {
@@ -96,6 +120,15 @@ std::pair<double, double> seconds_and_nanoseconds(const JsonDocument& document, 
 }
 
 Trajectory PointReader::finish(Json root) {
+  if (Json* const found = trajectory_.size() > 0 ? nullptr : message_in(root)) {
+    Json message = std::move(*found);
+    Json::Items points;
+    if (Json* const list = member_of(message, "points")) {
+      if (auto* items = std::get_if<Json::Items>(&list->value)) points.swap(*items);
+    }
+    for (Json& point : points) take(message, std::move(point));
+    return finish(std::move(message));
+  }
   const JsonDocument document(std::move(root), path_);
   document.check_keys(document.root(), {"header", "joint_names", "points"});
   const Json& names = document.need(document.root(), "joint_names");

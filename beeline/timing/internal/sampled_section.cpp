@@ -42,10 +42,14 @@ constexpr double rounding_margin = 2e-6;
 
 class Refinement {
  public:
-  /// Intervals are not divided below `least_gap`, s.
+  /// Intervals are not divided below `least_gap`, s. The samples say how fast the motion is.
   Refinement(const JointMotion& motion, const PathLimits& limits, const SectionOptions& options,
-             double least_gap)
-      : motion_(motion), limits_(limits), options_(options), shortest_(least_gap) {}
+             double least_gap, const std::vector<Sample>& samples)
+      : motion_(motion),
+        limits_(limits),
+        options_(options),
+        shortest_(least_gap),
+        velocity_error_(velocity_error * used_velocity(samples)) {}
 
   /// Appends samples after `a`, up to and including `b`, as close as the interpolation needs.
   /// Appends only some if the budget ends.
@@ -80,7 +84,7 @@ class Refinement {
         const double u = 0.25 * static_cast<double>(k + 1);
         const JointMotion::State& exact = k < 3 ? inner[k].state : b.state;
         const double error = acceleration(u) - exact.a[i];
-        if (std::abs(v(u) - exact.v[i]) > velocity_error * limits_.velocity[i]) return false;
+        if (std::abs(v(u) - exact.v[i]) > velocity_error_ * limits_.velocity[i]) return false;
         if (std::abs(error) > acceleration_error * limits_.acceleration[i]) return false;
         const double jerk = std::abs(error - error_before) / (0.25 * h);
         if (options_.keeps_jerk() && jerk > jerk_error * limits_.jerk[i]) return false;
@@ -90,10 +94,23 @@ class Refinement {
     return true;
   }
 
+  /// The largest fraction of a velocity limit that the samples use, if the tool's speed is limited:
+  /// the joints may be so slow that an error of a fraction of their limits exceeds it.
+  double used_velocity(const std::vector<Sample>& samples) const {
+    constexpr double least = 1e-3;
+    if (!(options_.tool_speeds.lowest() < Limits::none)) return 1;
+    double used = least;
+    for (const Sample& sample : samples) {
+      used = std::max(used, (sample.state.v.array() / limits_.velocity.array()).abs().maxCoeff());
+    }
+    return std::min(used, 1.0);
+  }
+
   const JointMotion& motion_;
   const PathLimits& limits_;
   const SectionOptions& options_;
   double shortest_;
+  double velocity_error_;
 };
 
 /// The samples whatever the interpolation needs: the ends and the required ones, whose s is exact;
@@ -172,7 +189,7 @@ SampledSection refined_samples(const Arm& arm, const TimedSection& section,
   if (samples.empty()) return {};
   if (options.timing.interpolation != Interpolation::linear) {
     const PathLimits limits = path_limits(arm, options.timing.speed_scale);
-    const Refinement refinement(motion, limits, options, least_gap);
+    const Refinement refinement(motion, limits, options, least_gap, samples);
     std::vector<Sample> refined{samples.front()};
     for (std::size_t k = 1; k < samples.size(); ++k) {
       if (options.budget.ended()) return {};

@@ -30,6 +30,22 @@ bool needs_xacro(std::string_view text) {
   return contains(text, "<xacro:") || contains(text, "${") || contains(text, "$(");
 }
 
+/// The message without the warnings before its error: their lines, and those that say where.
+std::string_view without_warnings(std::string_view message) {
+  std::size_t begin = 0;
+  bool warns = false;
+  for (std::size_t at = 0; at < message.size();) {
+    const std::size_t end = std::min(message.find('\n', at), message.size());
+    const std::string_view line = message.substr(at, end - at);
+    const bool continues = warns && (line.starts_with("when ") || line.starts_with("in file"));
+    warns = line.starts_with("warning: ") || continues;
+    at = std::min(end + 1, message.size());
+    if (!warns) break;
+    begin = at;
+  }
+  return begin < message.size() ? message.substr(begin) : message;
+}
+
 /// The message of a program, in one line of at most 400 bytes.
 std::string one_line(std::string_view message) {
   constexpr std::size_t longest = 400;
@@ -107,7 +123,8 @@ bool is_about_packages(std::string_view message) {
     default:
       break;
   }
-  const std::string message = one_line(read.messages.empty() ? read.output : read.messages);
+  const std::string message =
+      one_line(without_warnings(read.messages.empty() ? read.output : read.messages));
   const char* const advice =
       is_about_packages(message)
           ? " (a package is looked for by the name of its folder, or of a link to it, above the "

@@ -62,8 +62,8 @@ std::string reason(const tinyxml2::XMLDocument& document, std::string_view text)
       return "an attribute is not name=\"value\", or is given twice";
     case tinyxml2::XML_ERROR_PARSING_DECLARATION:
       if (text.find("?>", std::min(text.rfind("<?"), text.size())) != std::string_view::npos) {
-        return "a declaration <?...?> stands below other text; remove the text above it, or the "
-               "second document";
+        return "a declaration <?...?> stands below other text; remove it, the text above it, or "
+               "the second document";
       }
       [[fallthrough]];
     case tinyxml2::XML_ERROR_PARSING_COMMENT:
