@@ -161,6 +161,10 @@ TEST(Xacro, ItsMessageIsPassedOn) {
                "echo 'name x is not defined' >&2\necho 'line 5, \033[0mcolumn 3' >&2\nexit 2\n");
   EXPECT_REFUSED(read_arm(path),
                  "a.xacro: xacro fails: name x is not defined; line 5,  [0mcolumn 3");
+  programs.add("xacro",
+               "printf 'warning: redefining a\\nwhen instantiating macro: b\\nin file: c\\n' >&2\n"
+               "echo 'error: x is missing' >&2\nexit 2\n");
+  EXPECT_REFUSED(read_arm(path), "a.xacro: xacro fails: error: x is missing");
   programs.add("xacro", "kill -9 $$\n");
   EXPECT_REFUSED(read_arm(path), "a.xacro: xacro fails");
   programs.add("xacro", "exit 0\n");
