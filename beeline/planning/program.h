@@ -210,7 +210,7 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// - A dwell has a sample at both ends. With a rate it lasts a whole number of periods and has a
 ///   sample in each.
 ///
-/// With options.recover the motion may begin with a recovery, as that of move_along(): the first
+/// With options.recover the motion may begin with a recovery, as in move_along(): the first
 /// move then begins at its end, PlannedMove::begin. With options.recover_clearance a first move
 /// `around` may lead out of the clearance, and prove_clearance() accepts other first moves that do.
 ///

@@ -309,20 +309,6 @@ bool add_self_motions(const LockedRequest& locked, const LockedBranch& branch, S
   return !branches.empty();
 }
 
-/// Whether a solution may be nearer to the seed than the lane of `at`: next to a singularity,
-/// rounding moves solutions, out of the limits too, or hides them.
-bool may_be_nearer(const LockedRequest& locked, const LockedBranch& at) {
-  constexpr double slack = 1e-6;
-  const PieperBranches& branches = at.found;
-  if (branches.twin != 0 || nearly_found(locked.form, branches)) return true;
-  for (unsigned rest = branches.found; rest != 0; rest &= rest - 1) {
-    const int lane = std::countr_zero(rest);
-    const double excess = branches.excess[lane];
-    if (!loop_closes(locked, branches, lane) || (excess > 0 && excess < slack)) return true;
-  }
-  return false;
-}
-
 /// Adds the solutions of all lanes, and the one to which a search from the seed converges if it is
 /// nearer.
 void add_lanes_and_search(SolverState& state, const LockedRequest& locked, const LockedBranch& at,
@@ -368,8 +354,8 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
   // Distances would depend on the values chosen for free joints.
   if (request.quick && !request.options.all && is_verified(state) && !form.has_free_joints()) {
     at.lane = nearest_lane(locked.loop, branches);
-    return may_be_nearer(locked, at) ? add_lanes_and_search(state, locked, at, found)
-                                     : add_branch(locked, at, found);
+    return may_be_nearer(locked, branches) ? add_lanes_and_search(state, locked, at, found)
+                                           : add_branch(locked, at, found);
   }
   unsigned lanes = all_lanes;
   if (!request.quick && branches.continuum != 0 && !form.has_free_joints() &&

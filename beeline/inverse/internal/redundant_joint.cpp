@@ -114,6 +114,18 @@ bool nearly_found(const PieperSolver& form, const PieperBranches& found) {
   return false;
 }
 
+bool may_be_nearer(const LockedRequest& locked, const PieperBranches& found) {
+  constexpr double slack = 1e-6;
+  if (found.twin != 0 || nearly_found(locked.form, found)) return true;
+  for (unsigned rest = found.found; rest != 0; rest &= rest - 1) {
+    const int lane = std::countr_zero(rest);
+    const double excess = found.excess[lane];
+    const bool closes = found.residual[lane] <= locked.loop.max_residual;
+    if (!closes || (excess > 0 && excess < slack)) return true;
+  }
+  return false;
+}
+
 void evaluate(LockedRequest& locked, double value, LockedBranch& branch) {
   branch.value = value;
   locked.form.branches(locked.request.goal, value, locked.loop, branch.found);

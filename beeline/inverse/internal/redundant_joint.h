@@ -40,6 +40,10 @@ int nearest_lane(const PieperRequest& loop, const PieperBranches& found);
 /// Whether a lane may have a solution that rounding hides.
 bool nearly_found(const PieperSolver& form, const PieperBranches& found);
 
+/// Whether a solution may be nearer to the seed than the nearest_lane(): next to a singularity,
+/// rounding moves solutions, out of the limits too, or hides them.
+bool may_be_nearer(const LockedRequest& locked, const PieperBranches& found);
+
 /// The branches that exceed the limits least among those examined.
 struct LeastOutside {
   static constexpr int capacity = 8;
