@@ -151,9 +151,6 @@ def test_a_program_leads_out(beeline, cell, written):
     # Towards the table it leads nowhere.
     written("program.csv", "motion,x,y,z\nline,0,0.2025,0\nline,0.2,0.5,0\n")
     assert beeline(*line, "--recover-clearance", "0.002").code == 1
-    export = ["export", "disc.json", "program.csv", "--as", "rapid", "--from=0,0.5", *cell, "--recover-clearance", "0.002"]
-    answer = beeline(*export, "--out", "p.mod")
-    assert answer.code == 2 and "--recover-clearance is for trajectories" in answer.err, answer.err
 
 
 def test_feedback_leads_out(beeline, cell):

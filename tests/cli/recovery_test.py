@@ -108,8 +108,10 @@ def test_a_program_begins_where_the_joints_are_back(beeline, refused, written, t
         assert checked.code == 0, checked.json
         assert checked.json["recovery"] == answer.json["recovery"]
         assert beeline("check", "panda", "p.csv", *follow).code == 1
-    export = ["export", "panda", "program.csv", "--as", "rapid", "--from", OUTSIDE, "--recover", "0.002"]
-    refused(2, *export, "--out", "p.mod", says=["--recover", "trajectories"])
+    written("program.csv", "motion,x,y,z,qw,qx,qy,qz\nline,0.4,0.1,0.3,0,1,0,0\n")
+    export = ["export", "ur5", "program.csv", "--as", "urscript", "--out", "p.script", "--self"]
+    refused(2, *export, "--recover", "0.002", says=["--recover is", "trajectories"])
+    refused(2, *export, "--recover-clearance", "0.002", says=["--recover-clearance is", "trajectories"])
 
 
 def test_an_excess_that_rises_is_refused(beeline, tmp_path):
