@@ -64,7 +64,8 @@ void Signature::refuses(const std::string& name, const std::string& type) {
     among(files_);
   } else if (has("Callable") || has("dict") || has("list") || has("Sequence")) {
     return;
-  } else if (has("typing.Literal") || has("int") || has("float") || has("str")) {
+  } else if (has("JointPath") || has("typing.Literal") || has("int") || has("float") ||
+             has("str")) {
     among(values_);
   }
 }

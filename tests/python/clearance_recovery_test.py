@@ -96,7 +96,7 @@ def test_a_line_recovers_from_what_blocks_it_alone():
     with pytest.raises(beeline.Error, match="recover_clearance needs blocked_by"):
         beeline.move_in_lines(ARM, LOW, [beeline.forward_kinematics(ARM, GOAL)], recover_clearance=0.01)
     program = beeline.Program([beeline.Move("joint", q=GOAL)])
-    with pytest.raises(beeline.Error, match="recover_clearance is for paths"):
+    with pytest.raises(beeline.Error, match="recover_clearance needs a start and a model"):
         beeline.move_program(ARM, LOW, program, recover_clearance=0.01)
 
 

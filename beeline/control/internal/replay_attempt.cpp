@@ -86,7 +86,7 @@ PlayedSection lead_in(const PlayedMotion& recorded, const ReplayOptions& options
                      {.synchronise = Synchronise::straight});
   double rate = options.rate > 0 ? options.rate : default_replay_rate;
   if (steady && options.rate == 0) {
-    rate = std::min(lead_in_samples / line.duration * speed, max_lead_in_rate);
+    rate = std::min(lead_in_samples / line.duration, max_lead_in_rate);
   }
   const Trajectory motion = sampled(arm, line, rate, recorded.budget.part());
   if (motion.size() == 0) {
@@ -95,7 +95,8 @@ PlayedSection lead_in(const PlayedMotion& recorded, const ReplayOptions& options
   PlayedMotion played{arm, motion, recorded.interpolation, held_limits(arm, motion, 1),
                       recorded.budget};
   played.max_slowdown = recorded.max_slowdown;
-  return steady ? at_constant_speed(played, speed, rate)
+  const double played_rate = options.rate > 0 ? rate : rate * speed;
+  return steady ? at_constant_speed(played, speed, played_rate)
                 : with_speed_changes(played, options, rate);
 }
 

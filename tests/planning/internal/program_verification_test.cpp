@@ -234,7 +234,7 @@ TEST(VerifyProgram, RefusesPlantedFaults) {
   EXPECT_EQ(testing::field<double>(shorter.reason, ReasonField::dwell), 0.3);
   EXPECT_NEAR(testing::field<double>(shorter.reason, ReasonField::duration).value_or(0), 0.29,
               1e-6);
-  EXPECT_EQ(fault([](Trajectory&, Moves& moves) { moves[1].speed = 0.0999; }).fault,
+  EXPECT_EQ(fault([](Trajectory&, Moves& moves) { moves[1].speed = 0.099; }).fault,
             Fault::tool_speed);
   EXPECT_EQ(fault([](Trajectory&, Moves& moves) { moves[0].speed = 0.1; }).fault,
             Fault::tool_speed);
