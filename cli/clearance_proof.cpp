@@ -123,10 +123,10 @@ ClearanceReport SceneArgument::prove(const CheckedScene& scene, const Trajectory
         .attachments = program.attachments,
         .attached = attached_parts(scene.model, motion, program, followed.arrivals)};
     set_configuration(scene, motion, report);
-    if (may_be_of_start(report.proof, motion)) {
-      report.start_clause = clause_of_refusal(scene, motion.positions.front(), report.proof);
-    }
     if (report.attached.empty()) {
+      if (may_be_of_start(report.proof, motion)) {
+        report.start_clause = clause_of_refusal(scene, motion.positions.front(), report.proof);
+      }
       warn_if_unchecked(scene);
       set_too_close(scene, report);
     } else if (report.proof.status == ClearanceStatus::collides) {

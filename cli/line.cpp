@@ -319,8 +319,7 @@ std::vector<Option> exact_options(LineArguments& arguments) {
         arguments.recover.option(
             "Accept a --from slightly outside the position limits: a first section leads straight "
             "in joint space to the nearest configuration within them, where the path or program "
-            "begins. "
-            "`beeline check` needs the same option.",
+            "begins. `beeline check` needs the same option.",
             {.methods = {exact_method}, .needs = "--from"}),
         Option("--branches",
                "Also list every inverse-kinematics branch at the first pose: how many segments it "

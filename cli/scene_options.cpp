@@ -18,8 +18,7 @@ std::vector<Option> SceneArgument::options() {
                "at the start comes closer, and all others keep the clearance; all keep it "
                "afterwards. A contact counts with the clearance and its depth, and may become "
                "deeper down to the depth that is reported. A program must lead out before it "
-               "attaches a "
-               "part. `beeline line` needs --from then.",
+               "attaches or detaches a part at a later waypoint. `beeline line` needs --from then.",
                &recover_clearance, {.range = {0, max_recover_clearance}})}});
 }
 

@@ -164,8 +164,8 @@ struct ProgramMotion {
   std::vector<PlannedMove> moves;  ///< one for each move of the program
   PathDeviation deviation;         ///< proved deviation of all moves except joint motions
   LimitUsage limits;               ///< fractions of the limits that the trajectory uses
-  /// The section that leads back within the position limits, with the option `recover`; of a motion
-  /// that starts within them none.
+  /// The section that leads back within the position limits, with the option `recover`. Empty if
+  /// the motion starts within them.
   std::optional<Recovery> recovery = std::nullopt;
   /// Smallest distance of a joint to a position limit, as a fraction of half its range, over all
   /// moves except joint motions.
@@ -226,7 +226,8 @@ std::ostream& operator<<(std::ostream& out, const ProgramMotion& motion);
 /// stop, and MoveError for a blend that is not between lines and joint moves or is at a dwell, for
 /// a via or a configuration of a move that cannot have one, for an arc without via, for a move
 /// `around` without a model, for a speed, blend or dwell out of range, for a configuration outside
-/// the limits, and if path_through(), blended_lines() or move_along() throws. With a model it also
+/// the limits, for `recover` or `recover_clearance` out of range, for the latter without a start or
+/// a model, and if path_through(), blended_lines() or move_along() throws. With a model it also
 /// throws as prove_clearance() with a program does.
 ProgramMotion move_program(const Arm& arm, const std::optional<Configuration>& start,
                            const Program& program, const PathMotionOptions& options = {},
@@ -296,8 +297,8 @@ std::vector<ProgramScene> program_scenes(const CollisionModel& model, const Traj
 /// The reason says in which move. A part that is too close to a body at the waypoint where it is
 /// attached or detached is refused there. ClearanceProof::pairs is the largest number in a section.
 /// The motion may lead out of the clearance, ClearanceOptions::recover_clearance, before a part is
-/// first attached or detached. Shapes are carried with a padding of some 1e-14 m, a bound of the
-/// rounding of their poses.
+/// attached or detached at a later waypoint. Shapes are carried with a padding of some 1e-14 m, a
+/// bound of the rounding of their poses.
 ///
 /// Throws Error for arrivals that are not a sample for each move, in order; AttachmentError as
 /// verify() does, for a part that is no obstacle of the scene, that is a half-space, and for an

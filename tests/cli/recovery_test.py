@@ -1,6 +1,7 @@
 """--recover: motions that start slightly outside the position limits and lead back within them."""
 
 import csv
+import json
 
 import pytest
 
@@ -112,6 +113,36 @@ def test_a_program_begins_where_the_joints_are_back(beeline, refused, written, t
     export = ["export", "ur5", "program.csv", "--as", "urscript", "--out", "p.script", "--self"]
     refused(2, *export, "--recover", "0.002", says=["--recover is", "trajectories"])
     refused(2, *export, "--recover-clearance", "0.002", says=["--recover-clearance is", "trajectories"])
+
+
+def test_a_collision_at_the_start_is_refused_at_the_start(beeline, written):
+    scene = {"obstacles": [{"name": "box", "shapes": [{"box": {"size": [0.3, 0.3, 0.3]}, "pose": {"xyz": [0.4, 0, 0.5]}}]}]}
+    cell = ["--scene", written("box.json", json.dumps(scene))]
+    start = "0,-0.3,0,-2.2,0,1.9,0.8"
+    answer = beeline("move", "panda", "--from", start, "--to", "1" + start[1:], "--method", "quickest", *cell, "--json")
+    assert answer.code == 1 and answer.json["status"] == "collides" and answer.json["fields"]["time"] == 0
+
+
+def test_durations_count_from_the_first_sample(beeline, written):
+    written("late.csv", "t,joint1,joint2,joint3\n100,0,1,0\n101,0.1,1,0\n102,0.1,1,0\n")
+    assert beeline("check", "rrr", "late.csv", "--json").json["duration"] == 2
+
+
+def test_slow_lines_reach_their_speed(beeline, written):
+    written("seam.csv", "x,y,z,roll,pitch,yaw\n0.5,-0.2,0.5,180,0,0\n0.5,0.2,0.5,180,0,0\n")
+    for speed in (0.2, 0.02, 0.002):
+        line = ["line", "kr6_r900", "--tcp", "0,0,0.1", "--degrees", "--through", "seam.csv", "--tool-speed", str(speed)]
+        answer = beeline(*line, "--json")
+        assert answer.code == 0, answer.err
+        assert 0.4 / speed <= answer.json["duration"] <= 1.01 * 0.4 / speed + 0.2
+
+
+def test_blends_that_are_stops_are_said(beeline, written):
+    rows = ["0.5,-0.2,0.4,180,0,0", "0.5,0.2,0.4,180,0,0", "0.5,-0.1,0.4,180,0,0", "0.4,-0.1,0.4,180,0,0"]
+    written("back.csv", "x,y,z,roll,pitch,yaw\n" + "\n".join(rows) + "\n")
+    answer = beeline("line", "panda", "--degrees", "--through", "back.csv", "--blend", "0.05")
+    assert answer.code == 0 and "turns back at waypoint 2, where no blend is possible: it stops" in answer.err
+    assert "waypoint 3" not in answer.err
 
 
 def test_an_excess_that_rises_is_refused(beeline, tmp_path):

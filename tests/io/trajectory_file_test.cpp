@@ -38,7 +38,8 @@ TEST(TrajectoryFile, PlansOfMoveItHoldATrajectory) {
   }
   EXPECT_REFUSED(internal::trajectory_from_json(R"({"joint_trajectory": {}})", "a.json"),
                  "joint_names");
-  EXPECT_REFUSED(internal::trajectory_from_json(R"({"trajectory": [1, 2]})", "a.json"), "a.json");
+  EXPECT_REFUSED(internal::trajectory_from_json(R"({"trajectory": [1, 2]})", "a.json"),
+                 "a.json:1: has 2 trajectories; a file has one");
   EXPECT_REFUSED(internal::trajectory_from_json(
                      R"({"joint_trajectory": {"joint_names": ["a"], "points": [{}]}})", "a.json"),
                  "points[0]");

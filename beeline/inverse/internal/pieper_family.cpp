@@ -309,30 +309,28 @@ bool add_self_motions(const LockedRequest& locked, const LockedBranch& branch, S
   return !branches.empty();
 }
 
-/// Adds the solutions of all lanes, and the one to which a search from the seed converges if it is
-/// nearer.
-void add_lanes_and_search(SolverState& state, const LockedRequest& locked, const LockedBranch& at,
-                          StageResult& found) {
+/// Adds the lane of `at` and the solution to which a search from the seed converges, if that is
+/// nearer. Returns false if the search finds none nearby.
+bool add_beside_seed(SolverState& state, const LockedRequest& locked, const LockedBranch& at,
+                     StageResult& found) {
+  constexpr double near = 0.1;  // metres and radians, weighted
   const Request& request = locked.request;
-  add_lanes(locked, at, all_lanes, found);
-  if (request.options.method != InverseMethod::automatic || request.options.lock) return;
-  constexpr double nearer = 1e-6;      // radians or metres, beyond rounding
-  constexpr double at_the_pose = 0.1;  // metres and radians
-  double nearest = Limits::none;
-  for (const Solution& each : *found.solutions) {
-    nearest = std::min(nearest, distance_from_seed(request, each.q));
-  }
+  if (request.options.method != InverseMethod::automatic) return false;
+  if (!(error_at(request, request.seed) < near)) return false;
   Configuration& q = found.solutions->candidate;
   q.resize(request.arm.dof());
-  const double* const seed = request.seed.data();
-  if (nearest > nearer && error_at(request, request.seed) < at_the_pose &&
-      (solution_from(state, request, seed, false, q) ||
-       solution_from(state, request, seed, true, q)) &&
-      distance_from_seed(request, q) < nearest - nearer) {
-    found.result.method = "numerical";
-    found.result.iterations += state.buffers().near.iterations;
-    add_candidate(request, q, found);
+  if (!solution_from(state, request, request.seed.data(), false, q)) return false;
+  const double distance = distance_from_seed(request, q);
+  if (distance > near) return false;
+  if (at.lane >= 0 && std::sqrt(at.found.distance[at.lane]) <= distance) {
+    add_branch(locked, at, found);
+    return true;
   }
+  add_candidate(request, q, found);
+  if (found.solutions->empty()) return false;
+  found.result.method = "numerical";
+  found.result.iterations += state.buffers().near.iterations;
+  return true;
 }
 
 /// Solves without a redundant joint, or with the seed's value of the locked one.
@@ -354,8 +352,12 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
   // Distances would depend on the values chosen for free joints.
   if (request.quick && !request.options.all && is_verified(state) && !form.has_free_joints()) {
     at.lane = nearest_lane(locked.loop, branches);
-    return may_be_nearer(locked, branches) ? add_lanes_and_search(state, locked, at, found)
-                                           : add_branch(locked, at, found);
+    // A locked joint admits no corrections.
+    if (request.options.lock || !may_be_nearer(locked, branches)) {
+      return add_branch(locked, at, found);
+    }
+    if (!add_beside_seed(state, locked, at, found)) add_lanes(locked, at, all_lanes, found);
+    return;
   }
   unsigned lanes = all_lanes;
   if (!request.quick && branches.continuum != 0 && !form.has_free_joints() &&

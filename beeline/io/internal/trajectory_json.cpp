@@ -94,15 +94,22 @@ Json* member_of(Json& json, std::string_view key) {
 
 /// The part of a goal or a plan of MoveIt that is a message, also where a list has it alone; null
 /// if there is none.
-Json* message_in(Json& root) {
-  Json* part = nullptr;
-  for (const char* key : {"trajectory", "joint_trajectory"}) {
-    if (part == nullptr) part = member_of(root, key);
+Json* message_in(Json& root, const std::string& path) {
+  Json* part = member_of(root, "trajectory");
+  Json* const of_joints = member_of(root, "joint_trajectory");
+  // With both, or with points, the keys are refused.
+  if ((part == nullptr) == (of_joints == nullptr) || member_of(root, "points") != nullptr) {
+    return nullptr;
   }
-  if (part == nullptr) return nullptr;
-  auto* items = std::get_if<Json::Items>(&part->value);
-  if (items != nullptr && items->size() == 1) part = &items->front();
-  Json* const inner = message_in(*part);
+  if (part == nullptr) part = of_joints;
+  if (auto* items = std::get_if<Json::Items>(&part->value)) {
+    if (items->size() != 1) {
+      throw FileError(path, part->line,
+                      "has " + std::to_string(items->size()) + " trajectories; a file has one");
+    }
+    part = &items->front();
+  }
+  Json* const inner = message_in(*part, path);
   return inner == nullptr ? part : inner;
 }
 
@@ -120,7 +127,7 @@ std::pair<double, double> seconds_and_nanoseconds(const JsonDocument& document, 
 }
 
 Trajectory PointReader::finish(Json root) {
-  if (Json* const found = trajectory_.size() > 0 ? nullptr : message_in(root)) {
+  if (Json* const found = message_in(root, path_)) {
     Json message = std::move(*found);
     Json::Items points;
     if (Json* const list = member_of(message, "points")) {

@@ -86,9 +86,9 @@ class ProgramPlanner {
       if (!make_blends_smaller()) return false;
     }
     trajectory_.begin(arm_, *q, options_.interpolation, options_.rate);
+    arrive(0);
     const Reason reason = trajectory_.recover(arm_, timing_options(options_), budget_);
     if (reason) return fail_untimed(0, reason);
-    arrive(0);
     if (!start) {
       motion_.moves.push_back({});
       if (!pause(0)) return false;

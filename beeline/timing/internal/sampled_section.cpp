@@ -42,7 +42,8 @@ constexpr double rounding_margin = 2e-6;
 
 class Refinement {
  public:
-  /// Intervals are not divided below `least_gap`, s. The samples say how fast the motion is.
+  /// Intervals are not divided below `least_gap`, s. The largest velocity of the samples scales the
+  /// accepted error of the velocity.
   Refinement(const JointMotion& motion, const PathLimits& limits, const SectionOptions& options,
              double least_gap, const std::vector<Sample>& samples)
       : motion_(motion),

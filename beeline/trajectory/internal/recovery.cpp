@@ -5,7 +5,8 @@
 namespace beeline::internal {
 
 void check_recover(double recover) {
-  if (recover >= 0 && recover <= max_recover) return;
+  constexpr double rounding = 1e-12;  // of degrees
+  if (recover >= 0 && recover <= max_recover + rounding) return;
   throw Error("", "recover",
               " must be from 0 to " + number(max_recover) + " rad or m, not " + number(recover));
 }

@@ -30,15 +30,19 @@ bool needs_xacro(std::string_view text) {
   return contains(text, "<xacro:") || contains(text, "${") || contains(text, "$(");
 }
 
-/// The message without the warnings before its error: their lines, and those that say where.
+/// The message without the warnings before its error, which are followed by their locations.
 std::string_view without_warnings(std::string_view message) {
+  constexpr std::string_view locations[] = {"when ", "in file", "instantiated from",
+                                            "included from"};
   std::size_t begin = 0;
   bool warns = false;
   for (std::size_t at = 0; at < message.size();) {
     const std::size_t end = std::min(message.find('\n', at), message.size());
     const std::string_view line = message.substr(at, end - at);
-    const bool continues = warns && (line.starts_with("when ") || line.starts_with("in file"));
-    warns = line.starts_with("warning: ") || continues;
+    const bool is_location =
+        warns && std::any_of(std::begin(locations), std::end(locations),
+                             [&](std::string_view of) { return line.starts_with(of); });
+    warns = line.starts_with("warning: ") || is_location;
     at = std::min(end + 1, message.size());
     if (!warns) break;
     begin = at;
