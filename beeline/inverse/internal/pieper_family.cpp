@@ -352,8 +352,8 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
   // Distances would depend on the values chosen for free joints.
   if (request.quick && !request.options.all && is_verified(state) && !form.has_free_joints()) {
     at.lane = nearest_lane(locked.loop, branches);
-    // A locked joint admits no corrections.
-    if (request.options.lock || !may_be_nearer(locked, branches)) {
+    // A locked joint admits no corrections, and a continuum is known by its lanes.
+    if (request.options.lock || branches.continuum != 0 || !may_be_nearer(locked, branches)) {
       return add_branch(locked, at, found);
     }
     if (!add_beside_seed(state, locked, at, found)) add_lanes(locked, at, all_lanes, found);
