@@ -316,7 +316,9 @@ bool add_beside_seed(SolverState& state, const LockedRequest& locked, const Lock
   constexpr double near = 0.1;  // metres and radians, weighted
   const Request& request = locked.request;
   if (request.options.method != InverseMethod::automatic) return false;
-  if (!(error_at(request, request.seed) < near)) return false;
+  const double error = error_at(request, request.seed);
+  const bool in_continuum = at.found.continuum != 0 && error <= request.tolerance;
+  if (in_continuum || !(error < near)) return false;
   Configuration& q = found.solutions->candidate;
   q.resize(request.arm.dof());
   if (!solution_from(state, request, request.seed.data(), false, q)) return false;
@@ -352,8 +354,7 @@ void solve_branches(SolverState& state, LockedRequest& locked, StageResult& foun
   // Distances would depend on the values chosen for free joints.
   if (request.quick && !request.options.all && is_verified(state) && !form.has_free_joints()) {
     at.lane = nearest_lane(locked.loop, branches);
-    // A locked joint admits no corrections, and a continuum is known by its lanes.
-    if (request.options.lock || branches.continuum != 0 || !may_be_nearer(locked, branches)) {
+    if (request.options.lock || !may_be_nearer(locked, branches)) {
       return add_branch(locked, at, found);
     }
     if (!add_beside_seed(state, locked, at, found)) add_lanes(locked, at, all_lanes, found);
