@@ -43,8 +43,8 @@ JsonItemSink sink_of(PointReader& reader);
 /// ROS 1 has secs and nsecs. Files of version 0.1 have a member `time` of each point, in seconds,
 /// which takes precedence. A message may be the part `joint_trajectory` or `trajectory` of another
 /// one, as of MoveIt's RobotTrajectory; it is then held as a whole. Empty velocities and
-/// accelerations mean none, as in ROS; `header` and `effort` are ignored. Of a message alone it holds the
-/// numbers and one point in memory. Throws FileError that names the line and the value.
+/// accelerations mean none, as in ROS; `header` and `effort` are ignored. Of a message alone it
+/// holds the numbers and one point in memory. Throws FileError that names the line and the value.
 Trajectory trajectory_from_json(std::string_view text, const std::string& path);
 Trajectory trajectory_from_json(InputFile& file);
 
