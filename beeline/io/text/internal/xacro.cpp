@@ -30,36 +30,37 @@ bool needs_xacro(std::string_view text) {
   return contains(text, "<xacro:") || contains(text, "${") || contains(text, "$(");
 }
 
+/// Removes the first line from the text and returns it.
+std::string_view take_line(std::string_view& text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(line.size() + 1, text.size()));
+  return line;
+}
+
 /// The message without the warnings before its error, which are followed by their locations.
 std::string_view without_warnings(std::string_view message) {
   constexpr std::string_view locations[] = {"when ", "in file", "instantiated from",
                                             "included from"};
-  std::size_t begin = 0;
   bool warns = false;
-  for (std::size_t at = 0; at < message.size();) {
-    const std::size_t end = std::min(message.find('\n', at), message.size());
-    const std::string_view line = message.substr(at, end - at);
+  for (std::string_view rest = message, left = message; !rest.empty(); rest = left) {
+    const std::string_view line = take_line(left);
     const bool is_location =
         warns && std::any_of(std::begin(locations), std::end(locations),
                              [&](std::string_view of) { return line.starts_with(of); });
     warns = line.starts_with("warning: ") || is_location;
-    at = std::min(end + 1, message.size());
-    if (!warns) break;
-    begin = at;
+    if (!warns) return rest;
   }
-  return begin < message.size() ? message.substr(begin) : message;
+  return message;  // there is no error
 }
 
 /// The message of a program, in one line of at most 400 bytes.
 std::string one_line(std::string_view message) {
   constexpr std::size_t longest = 400;
   std::string line;
-  for (std::size_t at = 0; at < message.size() && line.size() < longest;) {
-    const std::size_t end = std::min(message.find('\n', at), message.size());
-    std::string_view part = message.substr(at, end - at);
+  while (!message.empty() && line.size() < longest) {
+    std::string_view part = take_line(message);
     while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
     if (!part.empty()) line += (line.empty() ? "" : "; ") + std::string(part);
-    at = end + 1;
   }
   if (line.size() > longest) line.resize(longest);
   for (char& c : line) c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
