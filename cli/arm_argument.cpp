@@ -36,7 +36,9 @@ void hint_at_built_in(const std::string& text) {
 
 Positional ArmArgument::argument() {
   return {.name = "ARM",
-          .help = "A built-in arm, a joint string or a file (.urdf, .xacro, MuJoCo's .xml, .json).",
+          .help =
+              "A built-in arm, a joint string or a file (.urdf, .xacro, MuJoCo's .xml, .json). "
+              "NAME:=VALUE gives an argument of a .xacro file its value.",
           .target = &text,
           .completes = Completes::arm};
 }

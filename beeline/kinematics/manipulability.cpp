@@ -12,10 +12,9 @@
 namespace beeline {
 namespace {
 
-/// A singular value up to this is zero, to rounding.
+/// A singular value up to this is zero.
 double rounding_of(double largest, const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {
-  return largest * std::numeric_limits<double>::epsilon() *
-         static_cast<double>(std::max(jacobian.rows(), jacobian.cols()));
+  return internal::negligible_singular_value(largest, std::max(jacobian.rows(), jacobian.cols()));
 }
 
 void check_matrix(const Eigen::Ref<const Eigen::MatrixXd>& jacobian) {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include <beeline/math/minimum_norm.h>
 #include <beeline/math/six_row_svd.h>
@@ -9,8 +8,9 @@ namespace {
 
 /// Singular values above this one are not zero.
 double rank_tolerance(const SixRowSvd& svd, std::optional<double> threshold) {
-  const auto size = static_cast<double>(std::max<Eigen::Index>(6, svd.scaled_right.rows()));
-  return threshold.value_or(size * std::numeric_limits<double>::epsilon()) * svd.singular_values[0];
+  const double largest = svd.singular_values[0];
+  if (threshold) return *threshold * largest;
+  return negligible_singular_value(largest, std::max<Eigen::Index>(6, svd.scaled_right.rows()));
 }
 
 }  // namespace

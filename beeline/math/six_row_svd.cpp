@@ -1,5 +1,6 @@
 #include <Eigen/Jacobi>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <beeline/math/six_row_svd.h>
@@ -53,6 +54,10 @@ SixRowSvd six_row_svd(const Eigen::Ref<const Eigen::MatrixXd>& a) {
     svd.scaled_right.col(i).swap(svd.scaled_right.col(i + largest));
   }
   return svd;
+}
+
+double negligible_singular_value(double largest, Eigen::Index size) {
+  return largest * std::numeric_limits<double>::epsilon() * static_cast<double>(size);
 }
 
 }  // namespace beeline::internal

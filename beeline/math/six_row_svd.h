@@ -19,4 +19,8 @@ struct SixRowSvd {
 /// values in decreasing order.
 SixRowSvd six_row_svd(const Eigen::Ref<const Eigen::MatrixXd>& a);
 
+/// Returns the largest singular value that is zero, to rounding, in a matrix of at most `size` rows
+/// and columns whose largest one is `largest`.
+double negligible_singular_value(double largest, Eigen::Index size);
+
 }  // namespace beeline::internal

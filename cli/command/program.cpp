@@ -112,13 +112,34 @@ std::string command_line(const Selection& selection) {
   return line;
 }
 
+/// Takes the arguments of xacro, `NAME:=VALUE`, from the words. Throws Error if no word is a .xacro
+/// file.
+XacroArguments take_xacro_arguments(std::vector<std::string>& words) {
+  XacroArguments arguments;
+  const auto is_argument = [&](const std::string& word) {
+    const std::size_t end = word.find(":=");
+    const bool is = end != std::string::npos && end > 0 && word.front() != '-' &&
+                    word.find_first_of("/ ,") > end;
+    if (is) arguments.insert_or_assign(word.substr(0, end), word.substr(end + 2));
+    return is;
+  };
+  words.erase(std::remove_if(words.begin(), words.end(), is_argument), words.end());
+  const auto is_xacro = [](const std::string& word) { return extension(word) == "xacro"; };
+  if (!arguments.empty() && std::none_of(words.begin(), words.end(), is_xacro)) {
+    throw Error(arguments.begin()->first +
+                ":= is an argument of a .xacro file, and no such file is given");
+  }
+  return arguments;
+}
+
 int run(Selection& selection) {
   const Verb& verb = *selection.verb;
   if (asks_for_help(selection.arguments)) {
     return print({.text = help_text(verb, selection.command)});
   }
-  selection.typed = parse(verb, selection.arguments);
-  const KeptExpansions kept;  // the functions that read an arm's file run xacro once
+  std::vector<std::string> words = selection.arguments;
+  const KeptExpansions kept(take_xacro_arguments(words));  // files are expanded once
+  selection.typed = parse(verb, words);
   if (verb.command_line != nullptr) *verb.command_line = command_line(selection);
   const bool json = verb.json != nullptr && *verb.json;
   return json ? print_json(verb, verb.run()) : print(verb.run());

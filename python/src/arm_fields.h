@@ -1,5 +1,6 @@
 #pragma once
 
+#include <beeline/io/text/urdf.h>
 #include <beeline/model/arm.h>
 #include <beeline/model/catalog.h>
 #include <beeline/model/joint.h>
@@ -7,6 +8,14 @@
 #include "record.h"
 
 namespace beeline::python {
+
+/// The keyword `xacro` of functions that read an arm's file.
+constexpr const char* xacro_type = "collections.abc.Mapping[str, object]";
+constexpr const char* xacro_text =
+    "Values of the arguments of a .xacro file, by name, such as {'ur_type': 'ur5e'}.";
+
+/// The values as texts, as str() makes them.
+XacroArguments xacro_arguments(nb::handle values);
 
 template <>
 struct Fields<BuiltInArm>

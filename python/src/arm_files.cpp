@@ -35,6 +35,16 @@ ChainEnds ends_of(nb::handle base, nb::handle tip) {
 
 }  // namespace
 
+XacroArguments xacro_arguments(nb::handle values) {
+  if (!nb::isinstance<nb::dict>(values)) raise_type("xacro", "a dict", values);
+  XacroArguments arguments;
+  for (const auto& [name, value] : nb::borrow<nb::dict>(values)) {
+    arguments.insert_or_assign(Value<std::string>::from(name, "xacro"),
+                               nb::cast<std::string>(nb::str(value)));
+  }
+  return arguments;
+}
+
 nb::object model_warning() {
   static PyObject* const type = new_warning_category(
       "ModelWarning",
@@ -48,7 +58,8 @@ void bind_arm_files(nb::class_<Arm>& arm) {
   const auto chain = [](Signature& signature) -> Signature& {
     return signature.keywords()
         .takes("base", "str | None", "Name of the link that the chain begins at.", "None")
-        .takes("tip", "str | None", "Name of the link that it ends at.", "None");
+        .takes("tip", "str | None", "Name of the link that it ends at.", "None")
+        .takes("xacro", xacro_type, xacro_text, "{}");
   };
   Signature load(
       "load", "Arm",
@@ -59,14 +70,15 @@ void bind_arm_files(nb::class_<Arm>& arm) {
   chain(load.takes("source", path_like, "Name, joint string or path."));
   define_static(
       arm,
-      [](nb::handle text, nb::handle base, nb::handle tip) {
+      [](nb::handle text, nb::handle base, nb::handle tip, nb::handle xacro) {
         std::vector<ReadWarning> warnings;
+        const KeptExpansions expansions(xacro_arguments(xacro));
         const Arm read = read_arm(path_from(text, "source"), ends_of(base, tip), &warnings);
         issue(warnings);
         return read;
       },
       load, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
-      nb::arg("tip") = nb::none());
+      nb::arg("tip") = nb::none(), nb::arg("xacro") = nb::dict());
 
   Signature urdf(
       "from_urdf", "Arm",
@@ -76,7 +88,8 @@ void bind_arm_files(nb::class_<Arm>& arm) {
   chain(urdf.takes("source", path_like, "Path, or text that begins with `<`."));
   define_static(
       arm,
-      [](nb::handle source, nb::handle base, nb::handle tip) {
+      [](nb::handle source, nb::handle base, nb::handle tip, nb::handle xacro) {
+        const KeptExpansions expansions(xacro_arguments(xacro));
         const std::string text = path_from(source, "source");
         std::vector<ReadWarning> warnings;
         const std::size_t begin = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
@@ -87,7 +100,7 @@ void bind_arm_files(nb::class_<Arm>& arm) {
         return read;
       },
       urdf, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
-      nb::arg("tip") = nb::none());
+      nb::arg("tip") = nb::none(), nb::arg("xacro") = nb::dict());
 }
 
 }  // namespace beeline::python

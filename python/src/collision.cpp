@@ -1,3 +1,6 @@
+#include <beeline/io/text/urdf.h>
+
+#include "arm_fields.h"
 #include "bindings.h"
 #include "collision_fields.h"
 #include "interruption.h"
@@ -57,11 +60,13 @@ void bind_scene(nb::module_& m) {
              "Frames that move with the arm's base: an object in one of them is refused.", "()")
       .takes("radius", "float | None",
              "Radius, m, of the spheres around the points of a point cloud, which needs it.",
-             "None");
+             "None")
+      .takes("xacro", xacro_type, xacro_text, "{}");
   define(
       m,
       [](nb::handle path, nb::handle hold, nb::handle package, nb::handle frames,
-         nb::handle moving_frames, nb::handle radius) {
+         nb::handle moving_frames, nb::handle radius, nb::handle xacro) {
+        const KeptExpansions expansions(xacro_arguments(xacro));
         const std::string file = path_from(path, "path");
         ShapeOptions options = shape_options(hold, package);
         options.radius = Value<std::optional<double>>::from(radius, "radius");
@@ -76,7 +81,8 @@ void bind_scene(nb::module_& m) {
       },
       scene, nb::arg("path"), nb::kw_only(), nb::arg("hold") = nb::dict(),
       nb::arg("package") = nb::dict(), nb::arg("frames") = nb::dict(),
-      nb::arg("moving_frames") = nb::tuple(), nb::arg("radius") = nb::none());
+      nb::arg("moving_frames") = nb::tuple(), nb::arg("radius") = nb::none(),
+      nb::arg("xacro") = nb::dict());
 
   Signature text("scene_to_json", "str", comment("scene_to_json"));
   text.takes("scene", "Scene", "The scene.");
@@ -105,11 +111,13 @@ void bind_shape_files(nb::module_& m) {
           "srdf", "str | os.PathLike[str] | None",
           "SRDF file, whose exempted pairs of links are `allowed_pairs` of the result, and whose "
           "named states give the values of joints that `hold` does not.",
-          "None");
+          "None")
+      .takes("xacro", xacro_type, xacro_text, "{}");
   define(
       m,
       [](nb::handle source, nb::handle base, nb::handle tip, nb::handle hold, nb::handle package,
-         nb::handle srdf) {
+         nb::handle srdf, nb::handle xacro) {
+        const KeptExpansions expansions(xacro_arguments(xacro));
         const auto end = [](nb::handle name, const char* what) {
           return Value<std::optional<std::string>>::from(name, what).value_or("");
         };
@@ -124,7 +132,7 @@ void bind_shape_files(nb::module_& m) {
       },
       shapes, nb::arg("source"), nb::kw_only(), nb::arg("base") = nb::none(),
       nb::arg("tip") = nb::none(), nb::arg("hold") = nb::dict(), nb::arg("package") = nb::dict(),
-      nb::arg("srdf") = nb::none());
+      nb::arg("srdf") = nb::none(), nb::arg("xacro") = nb::dict());
 }
 
 void bind_other_shape_files(nb::module_& m) {

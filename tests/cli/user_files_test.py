@@ -30,6 +30,24 @@ def warnings(answer):
     return [line.removeprefix("beeline: warning: ") for line in lines]
 
 
+def test_arguments_of_xacro(beeline, written, tmp_path, monkeypatch):
+    program = tmp_path / "xacrodoc"
+    program.write_text("#!/bin/sh\ncase $* in *len:=*) ;; *) echo Undefined substitution argument len >&2; exit 1 ;; esac\n"
+                       "/bin/cat <<END\n" + robot(ARM).replace('"r"', '"$2"', 1) + "END\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    written("r.urdf.xacro", robot("<xacro:arg name='len'/>"))
+    answer = beeline("show", "r.urdf.xacro", "--json")
+    assert answer.code == 3 and answer.err.endswith("argument len (NAME:=VALUE beside the file gives it a value; in Python xacro={NAME: VALUE})\n")
+    for words in (["r.urdf.xacro", "len:=0.5"], ["len:=0.5", "r.urdf.xacro"], ["r.urdf.xacro", "len:=1", "len:=0.5"]):
+        answer = beeline("show", *words, "--json")
+        assert answer.code == 0 and answer.json["name"] == "len:=0.5"
+    answer = beeline("show", "panda", "len:=0.5")
+    assert answer.code == 2 and "len:= is an argument of a .xacro file, and no such file is given" in answer.err
+    answer = beeline("show", "r.urdf.xacro", "a%:=1")
+    assert answer.code == 2 and '"a%" is no name of an argument of xacro' in answer.err
+
+
 @pytest.mark.parametrize("number", ["inf", "1.79769e+308", "1.8e308", "3.4e38", "1e16", "1e+16"])
 def test_no_limit(beeline, written, number):
     written("r.urdf", robot(LINKS, joint("j1", "revolute", "a", "b", limit("-" + number, number, "-1.0")),

@@ -36,6 +36,25 @@ def test_three_numbers_need_their_meaning(tmp_path):
         beeline.inverse_kinematics(PANDA, [0.5, 0, 0.5])
 
 
+def test_arguments_of_xacro(tmp_path, monkeypatch):
+    program = tmp_path / "xacrodoc"
+    shape = "<collision><geometry><sphere radius='0.1'/></geometry></collision>"
+    program.write_text(f"#!/bin/sh\n/bin/cat <<END\n<robot name='$2 $3'><link name='a'/><link name='b'>{shape}</link>"
+                       "<joint name='j' type='continuous'><parent link='a'/><child link='b'/></joint></robot>\nEND\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    path = tmp_path / "r.xacro"
+    path.write_text("<robot name='$(arg len)'/>")
+    for read in (beeline.Arm.load, beeline.Arm.from_urdf):
+        assert read(path, xacro={"len": 0.5, "sim": True}).name == "len:=0.5 sim:=True"
+    assert len(beeline.read_arm_shapes(path, xacro={"len": 1}).links) == 1
+    assert len(beeline.read_scene(path, xacro={"len": 1}).obstacles) == 1
+    with pytest.raises(beeline.Error, match='"a b" is no name of an argument of xacro'):
+        beeline.Arm.load(path, xacro={"a b": 1})
+    with pytest.raises(TypeError, match="xacro"):
+        beeline.Arm.load(path, xacro=["len:=0.5"])
+
+
 def test_a_planar_arm_refuses_height_and_tilt():
     q = TURNING.middle
     pose = beeline.forward_kinematics(TURNING, q)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,32 +65,41 @@ namespace beeline {
 ///     the name of a body is called `NAME_`. Bodies and joints without names are called `body2` and
 ///     `joint0`, by MuJoCo's indices.
 ///
-/// A file `.xacro` is expanded by the program `xacrodoc` or `xacro`, if one is in a folder of PATH.
-/// Programs run for at most a minute. Other files with elements of xacro are read as described
-/// above.
-/// Throws FileError for text that is neither URDF nor MJCF; for a `.xacro` file where no program is
-/// installed or it fails, with its message; for what is malformed in MJCF; several roots or tips
-/// without a choice by `ends`; a tip that is unknown, not connected to the base, or not moved by
-/// any joint; on the chain a fault, an axis of zero length, a lower limit that exceeds the upper
-/// one, or a mimic joint whose leader is not in the file.
+/// A file `.xacro` is expanded by the program `xacrodoc` or `xacro`, if one is in a folder of PATH;
+/// KeptExpansions has its arguments. Programs run for at most a minute. Other files with elements
+/// of xacro are read as described above. Throws FileError for text that is neither URDF nor MJCF;
+/// for a `.xacro` file where no program is installed or it fails, with its message; for what is
+/// malformed in MJCF; several roots or tips without a choice by `ends`; a tip that is unknown, not
+/// connected to the base, or not moved by any joint; on the chain a fault, an axis of zero length,
+/// a lower limit that exceeds the upper one, or a mimic joint whose leader is not in the file.
 Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
               std::vector<ReadWarning>* warnings = nullptr);
 /// The same from a text; `path` names it in messages.
 Arm arm_from_urdf(std::string_view text, const std::string& path, const ChainEnds& ends = {},
                   std::vector<ReadWarning>* warnings = nullptr);
 
+namespace internal {
+struct Expansions;
+}
+
+/// The values of a .xacro file's arguments, by name: of `<xacro:arg>` elements.
+using XacroArguments = std::map<std::string, std::string>;
+
 /// Keeps the expanded texts of .xacro files for as long as it lives: functions that are called in
-/// its thread meanwhile run the program once for each file, unless its text changes. The command
-/// has one for each call.
+/// its thread meanwhile run the program once for each file, unless its text changes. The program
+/// gets `arguments`; without any, and for what is created while it lives, those of the object
+/// around it. The command has one for each call. Throws Error for a name with other characters than
+/// letters, digits, `_` and `-`, or that begins with `-`.
 class KeptExpansions {
  public:
-  KeptExpansions();
+  explicit KeptExpansions(const XacroArguments& arguments = {});
   ~KeptExpansions();
   KeptExpansions(const KeptExpansions&) = delete;
   KeptExpansions& operator=(const KeptExpansions&) = delete;
 
  private:
-  bool is_owner_ = false;  ///< false: another one lives in this thread
+  std::unique_ptr<internal::Expansions> own_;  ///< null: it uses those of the object around it
+  internal::Expansions* around_ = nullptr;
 };
 
 /// An SRDF file, which MoveIt reads beside a URDF file: groups of joints, named states, and pairs

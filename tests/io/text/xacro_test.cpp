@@ -220,6 +220,33 @@ TEST(Xacro, RunsOnceWhileExpansionsAreKept) {
   EXPECT_EQ(count(), 4u);
 }
 
+TEST(Xacro, TheProgramGetsTheArgumentsOfTheInnermost) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.xacro", macro);
+  const Programs programs;
+  const auto arguments = [&] { return read_arm(path).joint_of(0).name; };
+  programs.add("xacrodoc",
+               "[ $# = 3 ] || { echo 'Package not found' >&2; exit 1; }\n"
+               "/bin/cat <<END\n" +
+                   testing::robot(testing::link("a") + testing::link("b") +
+                                  testing::joint("$2.$3", "continuous", "a", "b")) +
+                   "END\n");
+  EXPECT_REFUSED(read_arm(path), "a.xacro: xacrodoc fails: Package not found");
+  const KeptExpansions outer({{"name", "x y"}, {"b-c", ""}});
+  EXPECT_EQ(arguments(), "b-c:=.name:=x y");
+  {
+    const KeptExpansions same;
+    EXPECT_EQ(arguments(), "b-c:=.name:=x y");
+    const KeptExpansions inner({{"d", "1"}, {"e", "2"}});
+    EXPECT_EQ(arguments(), "d:=1.e:=2");
+  }
+  EXPECT_EQ(arguments(), "b-c:=.name:=x y");
+  for (const std::string name : {"-p", "a b", "", "a:"}) {
+    EXPECT_REFUSED(KeptExpansions({{name, "1"}}),
+                   "\"" + name + "\" is no name of an argument of xacro");
+  }
+}
+
 TEST(Xacro, OutputIsBounded) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a.xacro", macro);

@@ -67,7 +67,9 @@ std::string one_line(std::string_view message) {
   return with_escaped_bytes(line);
 }
 
-bool is_package_name(std::string_view name) {
+/// Whether a text may be the name of a package or of an argument: a program does not take it for an
+/// option.
+bool is_word(std::string_view name) {
   return !name.empty() && name.front() != '-' &&
          std::all_of(name.begin(), name.end(),
                      [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
@@ -82,7 +84,7 @@ void add_package_names(std::string_view text, std::string_view opening, char clo
     const std::size_t begin = at + opening.size();
     const std::size_t end = std::min(text.find(closing, begin), text.size());
     const std::string_view name = text.substr(begin, end - begin);
-    if (is_package_name(name)) names.emplace(name);
+    if (is_word(name)) names.emplace(name);
   }
 }
 
@@ -97,7 +99,7 @@ std::vector<std::string> package_options(std::string_view text, const std::strin
   add_package_names(text, "$(find ", ')', names);
   add_package_names(text, "package://", '/', names);
   for (const std::string& name : names_of_folders(path)) {
-    if (is_package_name(name)) names.insert(name);
+    if (is_word(name)) names.insert(name);
   }
   std::vector<std::string> options;
   for (const std::string& name : names) {
@@ -112,9 +114,16 @@ std::vector<std::string> package_options(std::string_view text, const std::strin
   return options;
 }
 
-/// Whether a message of xacro or xacrodoc says that it does not find a package.
-bool is_about_packages(std::string_view message) {
-  return contains(message, "ackage") && contains(message, "not found");
+/// What the user may do about a message of xacro or xacrodoc.
+std::string_view advice(std::string_view message) {
+  if (contains(message, "ackage") && contains(message, "not found")) {
+    return " (a package is looked for by the name of its folder, or of a link to it, above the "
+           "file and in the folders of ROS_PACKAGE_PATH)";
+  }
+  if (contains(message, "Undefined substitution argument")) {
+    return " (NAME:=VALUE beside the file gives it a value; in Python xacro={NAME: VALUE})";
+  }
+  return "";
 }
 
 /// Refuses a file that its program could not expand.
@@ -130,36 +139,42 @@ bool is_about_packages(std::string_view message) {
   }
   const std::string message =
       one_line(without_warnings(read.messages.empty() ? read.output : read.messages));
-  const char* const advice =
-      is_about_packages(message)
-          ? " (a package is looked for by the name of its folder, or of a link to it, above the "
-            "file and in the folders of ROS_PACKAGE_PATH)"
-          : "";
-  throw FileError(path, 0, program + " fails" + (message.empty() ? "" : ": " + message) + advice);
+  throw FileError(
+      path, 0,
+      program + " fails" + (message.empty() ? "" : ": " + message).append(advice(message)));
 }
 
-/// Expanded texts, by the path and the text of the file.
-struct Expansion {
-  std::string text, program;
-};
-using Expansions = std::map<std::pair<std::string, std::string>, Expansion>;
-thread_local std::optional<Expansions> kept_expansions;
-
 }  // namespace
+
+/// Arguments of xacro, and the texts that were expanded with them, by the path and the text of the
+/// file.
+struct Expansions {
+  struct Text {
+    std::string text, program;
+  };
+  std::vector<std::string> arguments;  ///< `NAME:=VALUE`
+  std::map<std::pair<std::string, std::string>, Text> texts;
+};
+
+namespace {
+thread_local Expansions* kept_expansions = nullptr;
+}
 
 ExpandedText::ExpandedText(std::string_view text, const std::string& path) : text_(text) {
   if (extension(path) != "xacro" || !needs_xacro(text)) return;
   const std::pair key(path, std::string(text));
-  if (kept_expansions) {
-    const auto kept = kept_expansions->find(key);
-    if (kept != kept_expansions->end()) {
+  if (kept_expansions != nullptr) {
+    const auto kept = kept_expansions->texts.find(key);
+    if (kept != kept_expansions->texts.end()) {
       expanded_ = kept->second.text;
       program_ = kept->second.program;
       return;
     }
   }
   expand(path);
-  if (kept_expansions) kept_expansions->emplace(key, Expansion{expanded_, program_});
+  if (kept_expansions != nullptr) {
+    kept_expansions->texts.emplace(key, Expansions::Text{expanded_, program_});
+  }
 }
 
 void ExpandedText::expand(const std::string& path) {
@@ -181,13 +196,21 @@ void ExpandedText::expand(const std::string& path) {
   const std::string absolute = std::filesystem::absolute(path).string();  // begins with no dash
   // xacrodoc looks for included files without a folder in its own one.
   const std::string folder = std::filesystem::path(absolute).parent_path().string();
-  ProgramOutput read = run_program({*found, absolute}, folder, xacro_bounds);
+  std::vector<std::string> file{absolute};
+  if (kept_expansions != nullptr) {
+    const std::vector<std::string>& arguments = kept_expansions->arguments;
+    file.insert(file.end(), arguments.begin(), arguments.end());
+  }
+  const auto run_with = [&](std::vector<std::string> command) {
+    command.insert(command.begin(), *found);
+    command.insert(command.end(), file.begin(), file.end());
+    return run_program(command, folder, xacro_bounds);
+  };
+  ProgramOutput read = run_with({});
   if (read.ending == ProgramOutput::Ending::failed && program_ == "xacrodoc") {
-    std::vector<std::string> command = package_options(text_, path);
-    if (!command.empty()) {
-      command.insert(command.begin(), *found);
-      command.push_back(absolute);
-      ProgramOutput second = run_program(command, folder, xacro_bounds);
+    const std::vector<std::string> options = package_options(text_, path);
+    if (!options.empty()) {
+      ProgramOutput second = run_with(options);
       if (second.ending != ProgramOutput::Ending::out_of_time) read = std::move(second);
     }
   }
@@ -201,12 +224,20 @@ void ExpandedText::expand(const std::string& path) {
 
 namespace beeline {
 
-KeptExpansions::KeptExpansions() : is_owner_(!internal::kept_expansions) {
-  if (is_owner_) internal::kept_expansions.emplace();
+KeptExpansions::KeptExpansions(const XacroArguments& arguments)
+    : around_(internal::kept_expansions) {
+  if (around_ != nullptr && arguments.empty()) return;
+  own_ = std::make_unique<internal::Expansions>();
+  for (const auto& [name, value] : arguments) {
+    if (!internal::is_word(name)) {
+      throw Error("\"" + internal::with_escaped_bytes(name) +
+                  "\" is no name of an argument of xacro; it has letters, digits, _ and -");
+    }
+    own_->arguments.push_back(name + ":=" + value);
+  }
+  internal::kept_expansions = own_.get();
 }
 
-KeptExpansions::~KeptExpansions() {
-  if (is_owner_) internal::kept_expansions.reset();
-}
+KeptExpansions::~KeptExpansions() { internal::kept_expansions = around_; }
 
 }  // namespace beeline

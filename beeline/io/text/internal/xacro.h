@@ -8,12 +8,12 @@
 namespace beeline::internal {
 
 /// The text of an arm's file after xacro. A file whose ending is `.xacro` is expanded by the
-/// program `xacrodoc` or, without it, `xacro`, that stands in a folder of PATH. It runs without a
-/// shell, for at most a minute each time, and may write 8 MiB. If xacrodoc fails, it runs again
-/// with the folders of the packages that `$(find NAME)` and `package://NAME/` name in the file, and
-/// with the folder around the file's package (package_folder.h). A file with another ending is its
-/// own text, because xacro executes expressions of Python: the reader reports elements of xacro in
-/// it.
+/// program `xacrodoc` or, without it, `xacro`, that stands in a folder of PATH, with the arguments
+/// of the thread's KeptExpansions. It runs without a shell, for at most a minute each time, and may
+/// write 8 MiB. If xacrodoc fails, it runs again with the folders of the packages that `$(find
+/// NAME)` and `package://NAME/` name in the file, and with the folder around the file's package
+/// (package_folder.h). A file with another ending is its own text, because xacro executes
+/// expressions of Python: the reader reports elements of xacro in it.
 class ExpandedText {
  public:
   /// `text` must outlive this object. Throws FileError for a .xacro file where neither program is
