@@ -54,7 +54,8 @@ std::vector<Option> UnitArgument::options() {
                  "x,y,z,rx,ry,rz, always in radians; abc, x,y,z,A,B,C of KUKA, always in degrees; "
                  "quaternion, x,y,z,qw,qx,qy,qz; matrix, m11,m12,...,m44 row by row, 16 numbers or "
                  "the first 12. Default: by the number of numbers, six are rpy. The header of a "
-                 "file names its own form.",
+                 "file names its own form, and p[x,y,z,rx,ry,rz] is a pose of URScript, in metres "
+                 "and radians.",
                  &pose_form, {.choices = pose_form_names()})};
 }
 

@@ -16,6 +16,9 @@ double parse_number(std::string_view text, std::string_view what) {
 
 std::vector<double> parse_numbers(std::string_view text, std::string_view what) {
   std::vector<double> values;
+  if (text.size() > 1 && text.front() == '[' && text.back() == ']') {
+    text = text.substr(1, text.size() - 2);
+  }
   for (;;) {
     const std::size_t comma = text.find(',');
     const std::string_view item = text.substr(0, comma);

@@ -15,7 +15,8 @@ namespace beeline {
 /// outside the range of a double. Its message begins with `what`.
 double parse_number(std::string_view text, std::string_view what);
 
-/// Parses numbers separated by commas: `1,2,-3e-1`. Throws the same Error, which names the item.
+/// Parses numbers separated by commas: `1,2,-3e-1`, also in brackets, as Python prints them. Throws
+/// the same Error, which names the item.
 std::vector<double> parse_numbers(std::string_view text, std::string_view what);
 
 /// Returns the shortest digits that read back as exactly `value`; any NaN is `nan`. Negative zero

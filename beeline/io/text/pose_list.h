@@ -173,7 +173,8 @@ std::optional<PoseNote> distance_note(const Arm::Reach& sphere, const Pose& pose
 std::string sentence(const PoseNote& note, const std::string& where,
                      OptionStyle style = OptionStyle::keyword);
 
-/// Parses a pose from numbers separated by commas, as pose_of().
+/// Parses a pose from numbers separated by commas, as pose_of(). `p[x,y,z,rx,ry,rz]`, a pose of
+/// URScript, is always in metres with a rotation vector in radians.
 WrittenPose parse_pose(std::string_view text, const PoseFormat& format = {});
 
 /// A row of a program file: a move to a waypoint, or a part that the tool takes or leaves at the

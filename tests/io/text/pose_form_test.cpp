@@ -131,6 +131,12 @@ TEST(PoseForm, ProgramsHaveThemToo) {
 
 TEST(PoseForm, OfNumbersWithoutNamesIsTheOneAskedFor) {
   EXPECT_EQ(parse_pose("0,0,0,0,0,0").form, PoseForm::rpy);
+  const PoseFormat typed{.pose_form = PoseForm::abc, .millimetres = true};
+  const WrittenPose of_urscript = parse_pose("p[0.1,0,0.2,0,3,0]", typed);
+  EXPECT_EQ(of_urscript.form, PoseForm::rotvec);
+  EXPECT_EQ(of_urscript.pose.matrix(),
+            parse_pose("0.1,0,0.2,0,3,0", {.pose_form = PoseForm::rotvec}).pose.matrix());
+  EXPECT_REFUSED(parse_pose("p[1,2,3]", typed), "has 3 numbers");
   EXPECT_EQ(parse_pose("0,0,0,1,0,0,0").form, PoseForm::quaternion);
   EXPECT_EQ(parse_pose("1,0,0,0,0,1,0,0,0,0,1,0").form, PoseForm::matrix);
   EXPECT_EQ(parse_pose("0,0,0,0,0,90", {.pose_form = PoseForm::abc}).form, PoseForm::abc);

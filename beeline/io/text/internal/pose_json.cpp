@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <beeline/error.h>
 #include <beeline/io/text/internal/json_write.h>
@@ -84,6 +85,10 @@ Pose pose_from_json(const JsonDocument& document, const Json& json) {
   if (quaternion != nullptr) pose.linear() = quaternion_from_json(document, *quaternion);
   if (rpy != nullptr) {
     const Vector3 angles = vector_from_json(document, *rpy);
+    constexpr double plausible = 4 * std::numbers::pi;
+    if (angles.cwiseAbs().maxCoeff() > plausible) {
+      document.refuse(*rpy, "has an angle of more than two revolutions; rpy is in radians");
+    }
     pose.linear() = rotation(RollPitchYaw{angles.x(), angles.y(), angles.z()});
   }
   return pose;

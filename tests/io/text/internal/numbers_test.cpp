@@ -17,6 +17,7 @@ namespace {
 
 TEST(Numbers, EveryFormIsRead) {
   EXPECT_EQ(parse_numbers("1,2,-3e-1", "q"), (std::vector<double>{1, 2, -0.3}));
+  EXPECT_EQ(parse_numbers("[1, 2,-3e-1]", "q"), (std::vector<double>{1, 2, -0.3}));
   EXPECT_EQ(parse_numbers(" 1 ,\t+2.5 , .5,5.,+.25,-1E+2 ", "q"),
             (std::vector<double>{1, 2.5, 0.5, 5, 0.25, -100}));
   EXPECT_EQ(parse_number("0.1", "q"), 0.1);
@@ -52,6 +53,8 @@ TEST(Numbers, ExactTextIsShort) {
 TEST(Numbers, OtherTextIsRefusedWithItsItem) {
   EXPECT_REFUSED(parse_numbers("1,x,3", "--q"), "--q: item 2: \"x\" is not a number");
   EXPECT_REFUSED(parse_numbers("1,2 3", "--q"), "item 2: \"2 3\" is not a number");
+  EXPECT_REFUSED(parse_numbers("[1,2", "--q"), "item 1: \"[1\" is not a number");
+  EXPECT_REFUSED(parse_numbers("[]", "--q"), "item 1: a number is missing");
   EXPECT_REFUSED(parse_numbers("1,,3", "--q"), "item 2: a number is missing");
   EXPECT_REFUSED(parse_numbers("1,2,", "--q"), "item 3: a number is missing");
   EXPECT_REFUSED(parse_numbers("", "--q"), "item 1: a number is missing");
