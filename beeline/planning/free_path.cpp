@@ -32,6 +32,13 @@ constexpr double least_advance = 0.01;  // of a tree; less is a dead end
 // A tree stops before the place where an edge is blocked, because every motion from there is as
 // near to a body.
 constexpr double usable = 0.9;
+// A path longer than this multiple of the distance to the nearest goal often goes around the wrong
+// side: so many further pairs of trees search for a shorter one.
+constexpr double long_detour = 2.5;
+constexpr int further_searches = 4;
+// Units of work for the proof of a straight motion to a goal that is nearly as near to a body as
+// the clearance permits.
+constexpr std::int64_t close_proof_work = 40'000;
 
 /// The configurations within the position limits. Joints without limits are within half a
 /// revolution of the start and the goals.
@@ -65,11 +72,11 @@ class JointSpace {
 /// RRT-Connect.
 class TreeSearch {
  public:
-  TreeSearch(const CollisionModel& model, const FreePathOptions& options, FreeEdges& edges,
+  TreeSearch(const CollisionModel& model, std::uint64_t random_seed, FreeEdges& edges,
              JointSpace space)
       : edges_(edges),
         space_(std::move(space)),
-        engine_(options.random_seed),
+        engine_(random_seed),
         trees_{JointTree(model.arm().dof()), JointTree(model.arm().dof())} {}
 
   void add_start(const Configuration& q) { trees_[0].add(q); }
@@ -228,10 +235,11 @@ class PathSearch {
   FreePath run(const std::vector<std::size_t>& free_goals) {
     try_straight(free_goals);
     if (free_goals.empty() || (found() && path_.goal == free_goals.front())) return path_;
-    const std::vector<std::size_t> closer = closer_than(length(), free_goals);
-    const auto near = closer_than(near_goals * distance(free_goals.front()), closer);
-    if (near.size() < closer.size() && grow_trees(near, near_goal_edges)) return path_;
-    grow_trees(closer, found() ? near_goal_edges : options_.max_edges);
+    search(free_goals);
+    const double detour = long_detour * distance(free_goals.front());
+    for (int i = 1; i <= further_searches && found() && length() > detour; ++i) {
+      grow_trees(closer_than(length(), free_goals), near_goal_edges, options_.random_seed + i);
+    }
     return path_;
   }
 
@@ -245,6 +253,15 @@ class PathSearch {
     return goals;
   }
 
+  /// Grows trees to the near goals first.
+  void search(const std::vector<std::size_t>& free_goals) {
+    const std::vector<std::size_t> closer = closer_than(length(), free_goals);
+    const auto near = closer_than(near_goals * distance(free_goals.front()), closer);
+    const std::uint64_t seed = options_.random_seed;
+    if (near.size() < closer.size() && grow_trees(near, near_goal_edges, seed)) return;
+    grow_trees(closer, found() ? near_goal_edges : options_.max_edges, seed);
+  }
+
   FreeEdges edges(int most) const {
     const int left = options_.max_edges - static_cast<int>(path_.edges - shortcuts_);
     return FreeEdges(model_, std::min(most, left), budget_);
@@ -255,7 +272,10 @@ class PathSearch {
     FreeEdges straight = edges(options_.max_edges);
     for (const std::size_t i : goals) {
       if (!straight.seems_free(start_, goals_[i])) continue;
-      if (!straight.is_free(start_, goals_[i])) continue;
+      if (!straight.is_free(start_, goals_[i]) &&
+          !straight.is_free_closely(start_, goals_[i], close_proof_work)) {
+        continue;
+      }
       path_.waypoints = {start_, goals_[i]};
       path_.length = distance(i);
       path_.goal = i;
@@ -265,10 +285,11 @@ class PathSearch {
   }
 
   /// Replaces the path if two trees find a shorter one. Returns whether they do.
-  bool grow_trees(const std::vector<std::size_t>& goals, int most_edges) {
+  bool grow_trees(const std::vector<std::size_t>& goals, int most_edges,
+                  std::uint64_t random_seed) {
     if (goals.empty()) return false;
     FreeEdges examined = edges(most_edges);
-    TreeSearch trees(model_, options_, examined, JointSpace(model_.arm(), start_, goals_));
+    TreeSearch trees(model_, random_seed, examined, JointSpace(model_.arm(), start_, goals_));
     trees.add_start(start_);
     for (const std::size_t i : goals) trees.add_goal(goals_[i]);
     const auto [waypoints, goal] = proved_path(trees, examined);

@@ -49,7 +49,8 @@ std::ostream& operator<<(std::ostream& out, const FreePath& path);
 /// goal is reached, two trees of random configurations that grow towards each other from both ends
 /// (RRT-Connect, Kuffner and LaValle 2000), to the near goals first. The trees use edges of which
 /// no sample is blocked; the path is shortened, and each of its motions is proved. An edge that is
-/// not proved is removed, and the search goes on. The shortest path that is found is returned.
+/// not proved is removed, and the search goes on. A path of more than 2.5 times the distance to the
+/// nearest goal is searched again four times. The shortest path that is found is returned.
 /// Equal arguments give equal paths. Joint values are numbers; angles are not wrapped. Lengths of
 /// paths add radians and metres.
 ///

@@ -18,6 +18,10 @@ const CollisionModel& CurrentScene::model() {
   return changed_ ? *changed_ : model_;
 }
 
+BlockedBy CurrentScene::blocked() {
+  return [&current = model()](const ConfigurationRef& q) { return blocked_by(current, q); };
+}
+
 Reason CurrentScene::erase_blocked(std::vector<Configuration>& configurations) {
   Reason first;
   std::erase_if(configurations, [&](const Configuration& q) {

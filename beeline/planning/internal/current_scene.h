@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <beeline/planning/internal/carried_parts.h>
+#include <beeline/planning/internal/pose_configurations.h>
 #include <beeline/planning/internal/program_parts.h>
 
 namespace beeline::internal {
@@ -19,6 +20,9 @@ class CurrentScene {
 
   /// The arm with the parts that it carries, among the other obstacles.
   const CollisionModel& model();
+
+  /// blocked_by() of model(), until the scene changes.
+  BlockedBy blocked();
 
   /// Erases the configurations that are blocked; returns why the first of them is.
   Reason erase_blocked(std::vector<Configuration>& configurations);

@@ -76,6 +76,14 @@ bool FreeEdges::is_free(const Configuration& a, const Configuration& b) {
   return is_free(edge_, budget_);
 }
 
+bool FreeEdges::is_free_closely(const Configuration& a, const Configuration& b,
+                                std::int64_t max_work) {
+  edge_.positions = {a, b};
+  Budget budget = budget_.part();
+  budget.max_work = max_work;
+  return static_cast<bool>(prove_clearance(model_, edge_, {.budget = budget}));
+}
+
 bool FreeEdges::are_free(const std::vector<Configuration>& waypoints) {
   BudgetMeter rest({.max_work = 10'000});  // about 50 ms
   for (std::size_t k = 1; k < waypoints.size(); ++k) {

@@ -32,6 +32,11 @@ class FreeEdges {
   bool is_free(const Configuration& a, const Configuration& b);
   bool is_free(const Trajectory& motion) { return is_free(motion, budget_); }
 
+  /// Whether the straight motion is proved to keep the clearance, within so many units of work,
+  /// where it is nearer to a body than is_free() decides: to prove_clearance()'s default
+  /// resolution.
+  bool is_free_closely(const Configuration& a, const Configuration& b, std::int64_t max_work);
+
   /// Whether the straight motions from each waypoint to the next are proved. Where the budget has
   /// ended, a bounded amount of work is added: a path that was found before is kept.
   bool are_free(const std::vector<Configuration>& waypoints);

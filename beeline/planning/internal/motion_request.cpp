@@ -22,7 +22,8 @@ FreeMotionOptions free_motion_options(const PathMotionOptions& options) {
           .interpolation = options.interpolation,
           .tool_speed = options.tool_speed,
           .rate = options.rate,
-          .max_samples = options.max_samples};
+          .max_samples = options.max_samples,
+          .budget = options.budget};
 }
 
 VerifyOptions proof_options(const PathMotionOptions& options) {

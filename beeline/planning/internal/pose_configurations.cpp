@@ -23,7 +23,8 @@ double least_duration(const Arm& arm, const Configuration& from, const Configura
 }  // namespace
 
 std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, const Pose& pose,
-                                              const Configuration& from, const Budget& budget) {
+                                              const Configuration& from, const Budget& budget,
+                                              const BlockedBy& blocked_by) {
   const bool redundant = is_redundant(arm, task);
   InverseOptions options{
       .seed = from, .task = task, .all = true, .every_turn = !redundant, .budget = budget};
@@ -39,6 +40,14 @@ std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, 
   }
   const InverseResult all = inverse_kinematics(arm, pose, options);
   found.insert(found.end(), all.solutions.begin(), all.solutions.end());
+  const auto blocked = [&](const Configuration& q) { return bool(blocked_by(q)); };
+  if (redundant && blocked_by && std::all_of(found.begin(), found.end(), blocked)) {
+    InverseOptions finer{
+        .seed = from, .task = task, .all = true, .blocked_by = blocked_by, .budget = budget};
+    finer.method = options.method;
+    std::vector<Configuration> free = inverse_kinematics(arm, pose, finer).solutions;
+    if (!free.empty()) found = std::move(free);
+  }
   std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
     return least_duration(arm, from, a) < least_duration(arm, from, b);
   });

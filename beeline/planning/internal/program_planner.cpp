@@ -112,8 +112,7 @@ class ProgramPlanner {
     return true;
   }
 
-  /// Makes the blends smaller that may be why the last path is refused. Returns whether there are
-  /// any.
+  /// Makes the blends smaller that may be why the last path is refused; false if there are none.
   bool make_blends_smaller() {
     return !budget_.ended() && line_blends_.make_smaller(program_, options_.tool_speed, parts_) &&
            succeed();
@@ -126,14 +125,17 @@ class ProgramPlanner {
     const Configuration middle = middle_configuration(arm_);
     const bool path = !parts_.empty() && !parts_.front().joint;
     if (program_.moves.front().kind == MoveKind::around) {
-      return begin_free(configurations_for(arm_, *options_.task, pose, middle, budget_.part()),
-                        path, q, ahead) ||
+      return begin_free(configurations_in_scene(pose, middle), path, q, ahead) ||
              (!motion_.reason && solution_at(0, pose, middle, q));
     }
     if (!path) return configuration_at(0, pose, middle, q);
     if (!follow(0, std::nullopt, ahead)) return false;
     q = ahead->trajectory.positions.front();
     return true;
+  }
+
+  std::vector<Configuration> configurations_in_scene(const Pose& pose, const Configuration& from) {
+    return configurations_for(arm_, *options_.task, pose, from, budget_.part(), scene_->blocked());
   }
 
   /// Sets q to the first of some configurations that is free and from which the path after it is.
@@ -248,13 +250,12 @@ class ProgramPlanner {
   /// first. Fails if a path follows and all solutions of an arm that is not redundant are blocked.
   std::vector<Configuration> goals_around(std::size_t p) {
     const std::size_t i = parts_[p].first;
-    if (program_.moves[i].q) return {*program_.moves[i].q};
-    const Pose& target = program_.moves[i].target;
+    const Move& move = program_.moves[i];
+    if (move.q) return {*move.q};
     const Configuration from = trajectory_.positions().back();
-    std::vector<Configuration> goals =
-        configurations_for(arm_, *options_.task, target, from, budget_.part());
+    std::vector<Configuration> goals = configurations_in_scene(move.target, from);
     std::optional<Configuration> q;
-    if (goals.empty() && solution_at(i, target, from, q)) goals.push_back(*q);
+    if (goals.empty() && solution_at(i, move.target, from, q)) goals.push_back(*q);
     if (!path_follows(p)) return goals;
     std::vector<Configuration> free = goals;
     const Reason blocked = scene_->erase_blocked(free);
@@ -301,9 +302,8 @@ class ProgramPlanner {
     while (!left.empty() && !budget_.ended()) {
       const std::vector<Configuration> goals = next_goals(p, left, paths);
       if (goals.empty()) continue;
-      options.budget = budget_.part();
-      FreeMotion motion =
-          move_around(scene_->model(), trajectory_.positions().back(), goals, options);
+      const Configuration& from = trajectory_.positions().back();
+      FreeMotion motion = move_around(scene_->model(), from, goals, options);
       if (!motion) {
         if (!failed) failed = std::move(motion);
         continue;

@@ -209,6 +209,31 @@ TEST(Mjcf, AClassKeepsWhatMainHadWhenItBegan) {
   EXPECT_REFUSED(parse_mjcf(many), "more than 100 times");
 }
 
+// A nested class replaces the orientation of the class around it in whatever form it gives it.
+TEST(Mjcf, TheInnermostClassGivesTheOrientation) {
+  const std::vector<std::string> turned{
+      // a quarter turn about z
+      "euler=\"0 0 90\"", "axisangle=\"0 0 1 90\"", "xyaxes=\"0 1 0 -1 0 0\"", "quat=\"1 0 0 1\""};
+  const std::vector<std::string> level{"euler=\"0 0 0\"", "axisangle=\"0 0 1 0\"",
+                                       "xyaxes=\"1 0 0 0 1 0\"", "quat=\"1 0 0 0\"",
+                                       "zaxis=\"0 0 1\""};
+  for (const std::string& outer : turned) {
+    for (const std::string& inner : level) {
+      const auto tool = [&](const std::string& nested, const std::string& own) {
+        const std::string text =
+            "<mujoco><default><site " + outer + "/><default class=\"c\">" + nested +
+            "</default></default><worldbody><body><joint/><site name=\"s\" class=\"c\" " + own +
+            "/></body></worldbody></mujoco>";
+        return parse_mjcf(text, {.tip = "s"}).tool().linear();
+      };
+      const std::string site = "<site " + inner + "/>";
+      EXPECT_TRUE(tool("", "").col(0).isApprox(Vector3::UnitY(), 1e-15)) << outer;
+      EXPECT_TRUE(tool(site, "").isIdentity(1e-15)) << outer << ", " << inner;
+      EXPECT_TRUE(tool("", inner).isIdentity(1e-15)) << outer << ", " << inner;
+    }
+  }
+}
+
 TEST(Mjcf, SitesAreTipsThatAreNamed) {
   const std::string one = mujoco(hinge(""));
   EXPECT_EQ(parse_mjcf(one).tool().translation().x(), 0);

@@ -95,12 +95,13 @@ std::size_t MjcfDefaults::class_of(const XMLElement& element, const char* attrib
           unknown_name(std::string(attribute) + " of defaults", printable(name), known).what());
 }
 
-std::vector<const XMLElement*> MjcfDefaults::sources(std::string_view tag, std::size_t of_class,
-                                                     std::string_view attribute) const {
-  std::vector<const XMLElement*> found;
-  for (std::optional<std::size_t> at = of_class; at; at = classes_[*at].around) {
+std::vector<MjcfDefaults::Source> MjcfDefaults::sources(std::string_view tag, std::size_t of_class,
+                                                        std::string_view attribute) const {
+  std::vector<Source> found;
+  std::size_t level = 0;
+  for (std::optional<std::size_t> at = of_class; at; at = classes_[*at].around, ++level) {
     const auto given = classes_[*at].elements.find({tag, attribute});
-    if (given != classes_[*at].elements.end()) found.push_back(given->second);
+    if (given != classes_[*at].elements.end()) found.push_back({given->second, level});
   }
   return found;
 }
@@ -111,7 +112,14 @@ const XMLElement* MjcfAttributes::source(const char* attribute) const {
   if (element_->Attribute(attribute) != nullptr) return element_;
   if (defaults_ == nullptr) return nullptr;
   const auto sources = defaults_->sources(element_->Name(), class_, attribute);
-  return sources.empty() ? nullptr : sources.front();
+  return sources.empty() ? nullptr : sources.front().element;
+}
+
+std::optional<std::size_t> MjcfAttributes::level(const char* attribute) const {
+  if (element_->Attribute(attribute) != nullptr) return 0;
+  if (defaults_ == nullptr) return {};
+  const auto sources = defaults_->sources(element_->Name(), class_, attribute);
+  return sources.empty() ? std::nullopt : std::optional(1 + sources.front().level);
 }
 
 int MjcfAttributes::line_of(const char* attribute) const {
@@ -148,8 +156,11 @@ std::vector<double> MjcfAttributes::numbers(const char* attribute, std::size_t c
 std::vector<double> MjcfAttributes::some_numbers(const char* attribute,
                                                  std::vector<double> values) const {
   std::vector<const XMLElement*> from;
-  if (defaults_ != nullptr) from = defaults_->sources(element_->Name(), class_, attribute);
-  std::reverse(from.begin(), from.end());
+  if (defaults_ != nullptr) {
+    for (const auto& source : defaults_->sources(element_->Name(), class_, attribute)) {
+      from.insert(from.begin(), source.element);
+    }
+  }
   if (element_->Attribute(attribute) != nullptr) from.push_back(element_);
   for (const XMLElement* at : from) {
     const std::vector<double> given = reader_of(*at).numbers(*at, attribute);

@@ -28,10 +28,16 @@ class MjcfDefaults {
   std::size_t class_of(const tinyxml2::XMLElement& element, const char* attribute,
                        std::size_t otherwise) const;
 
+  /// The element of a class that gives an attribute.
+  struct Source {
+    const tinyxml2::XMLElement* element = nullptr;
+    std::size_t level = 0;  ///< 0: the class itself; 1: the class around it; and so on
+  };
+
   /// Returns the elements of a class and of those around it that give an attribute of elements with
   /// a tag, the innermost first.
-  std::vector<const tinyxml2::XMLElement*> sources(std::string_view tag, std::size_t of_class,
-                                                   std::string_view attribute) const;
+  std::vector<Source> sources(std::string_view tag, std::size_t of_class,
+                              std::string_view attribute) const;
 
  private:
   using Key = std::pair<std::string_view, std::string_view>;  ///< tag and attribute
@@ -63,6 +69,9 @@ class MjcfAttributes {
   int line() const;
   /// Returns the element that gives an attribute; null if none does.
   const tinyxml2::XMLElement* source(const char* attribute) const;
+  /// Returns where an attribute is given: 0: by the element; 1: by its class; 2: by the class
+  /// around it, and so on; none if it is not given.
+  std::optional<std::size_t> level(const char* attribute) const;
   int line_of(const char* attribute) const;  ///< of the source; without one the element's
 
   std::string text_or(const char* attribute, const std::string& otherwise) const;

@@ -89,7 +89,7 @@ class MjcfCouplings {
         model_.defaults.class_of(element, "class", MjcfDefaults::main_class);
     const auto inherited = model_.defaults.sources("equality", of_class, "active");
     const bool own = element.Attribute("active") != nullptr || inherited.empty();
-    return MjcfAttributes(own ? element : *inherited.front())
+    return MjcfAttributes(own ? element : *inherited.front().element)
                .choice("active", {"true", "false"}, "true") == "true";
   }
 

@@ -53,24 +53,21 @@ Rotation rotation_of_quaternion(const MjcfAttributes& attributes) {
   return Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]).toRotationMatrix();
 }
 
-/// The attribute that gives the orientation: the element's own or, without one, its class's. Two
-/// of one element are refused.
+/// The attribute that gives the orientation: the element's own or, without one, the innermost
+/// class's that has any, as in MuJoCo 4. Two of the element are refused.
 const char* orientation_given(const MjcfAttributes& attributes) {
-  const char* own = nullptr;
-  const char* inherited = nullptr;
+  const char* given = nullptr;
+  std::size_t nearest = 0;
   for (const char* attribute : orientations) {
-    const XMLElement* const source = attributes.source(attribute);
-    if (source == nullptr) continue;
-    if (source != &attributes.element()) {
-      inherited = attribute;
-      continue;
+    const std::optional<std::size_t> level = attributes.level(attribute);
+    if (!level || (given != nullptr && *level > nearest)) continue;
+    if (given != nullptr && *level == 0 && nearest == 0) {
+      attributes.refuse(attribute, std::string("is given beside ") + given + "; write one of them");
     }
-    if (own != nullptr) {
-      attributes.refuse(attribute, std::string("is given beside ") + own + "; write one of them");
-    }
-    own = attribute;
+    given = attribute;
+    nearest = *level;
   }
-  return own == nullptr ? inherited : own;
+  return given;
 }
 
 Rotation orientation(const MjcfAttributes& attributes, const MjcfSettings& settings) {
