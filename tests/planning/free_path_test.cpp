@@ -73,6 +73,35 @@ TEST(FreePath, IsTheStraightMotionWhereThatIsFree) {
   EXPECT_EQ(path.edges, 1U);
 }
 
+// At 0.5 % more than the clearance the straight motion is taken, too.
+TEST(FreePath, IsTheStraightMotionNearTheClearance) {
+  Maze maze;
+  maze.add_wall(2, 2, 5);
+  constexpr double clearance = 0.1, disc = 0.2;
+  const CollisionModel model(maze.arm, {{"disc", 2, {{Sphere{disc}}}}}, maze.scene,
+                             {.clearance = clearance});
+  const double y = 2 - disc - 1.005 * clearance;
+  const std::vector<Configuration> goals{vector({3.5, y})};
+  const FreePath path = find_free_path(model, vector({0.5, y}), goals);
+  expect_free(model, path, vector({0.5, y}), goals);
+  EXPECT_EQ(path.waypoints.size(), 2U);
+}
+
+// The way around the near end of a wall is short; the one around the other end is long.
+TEST(FreePath, DoesNotKeepALongWayAround) {
+  Maze maze;
+  maze.add_wall(2, 0.55, 3.4);
+  const CollisionModel model = maze.model();
+  const std::vector<Configuration> goals{vector({2.4, 0.8})};
+  int is_long = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const FreePath path = find_free_path(model, vector({1.6, 0.8}), goals, {.random_seed = seed});
+    expect_free(model, path, vector({1.6, 0.8}), goals);
+    if (path.length > 3) ++is_long;  // around the far end it is 6
+  }
+  EXPECT_LE(is_long, 4);
+}
+
 TEST(FreePath, GoesAroundWalls) {
   Maze maze;
   maze.add_wall(1.3, -1, 3);

@@ -1,5 +1,6 @@
 #include <beeline/kinematics/forward.h>
 #include <beeline/model/catalog.h>
+#include <beeline/planning/internal/pose_configurations.h>
 #include <beeline/planning/program.h>
 
 #include <tests/collision/random_model.h>
@@ -60,6 +61,46 @@ TEST(MoveAroundInProgram, CarriesAPartOverAWall) {
       move_program(gantry.arm, gantry.above, around, {.rate = 100}, &model);
   ASSERT_TRUE(sampled) << sampled.reason;
   EXPECT_TRUE(prove_clearance(model, sampled.trajectory, around, arrivals_of(sampled)));
+}
+
+// Of a redundant arm a few solutions are tried first; where all of them are blocked, others are
+// free.
+TEST(MoveAroundInProgram, FindsAFreeGoalBetweenBlockedOnes) {
+  const Arm arm = built_in("panda");
+  const Configuration start{{0, -0.785, 0, -2.356, 0, 1.571, 0.785}};
+  // The shapes are capsules along the last links.
+  const std::vector<LinkShapes> shapes{
+      {"elbow", 4, {{Capsule{0.06, 0.3}, make_pose({0, 0, 0.1}, Rotation::Identity())}}},
+      {"hand", 7, {{Sphere{0.05}}}}};
+  testing::Random random;
+  int all_blocked = 0, reached = 0;
+  const int count = testing::cases(300);
+  for (int i = 0; i < count; ++i) {
+    Program program;
+    program.moves = {
+        {.kind = MoveKind::around,
+         .target = make_pose(Vector3(0.45, 0.2, 0.4), so3_exp(Vector3(std::numbers::pi, 0, 0)))}};
+    const Vector3 near_elbow = Vector3(0.15, 0.15, 0.6) + 0.15 * random.direction();
+    const Scene scene{
+        .obstacles = {{.name = "ball",
+                       .shapes = {{Sphere{0.05}, make_pose(near_elbow, Rotation::Identity())}}}}};
+    const CollisionModel model(arm, shapes, scene, {.self_collision = false});
+    const auto blocked = [&](const ConfigurationRef& q) { return blocked_by(model, q); };
+    if (blocked(start)) continue;
+    const std::vector<Configuration> few =
+        internal::configurations_for(arm, Task::spatial(), program.moves[0].target, start, {});
+    if (!std::all_of(few.begin(), few.end(), [&](const auto& q) { return bool(blocked(q)); })) {
+      continue;
+    }
+    const InverseResult free = inverse_kinematics(
+        arm, program.moves[0].target, {.seed = start, .all = true, .blocked_by = blocked});
+    if (free.solutions.empty()) continue;
+    ++all_blocked;
+    const ProgramMotion motion = move_program(arm, start, program, {}, &model);
+    reached += bool(motion);
+    EXPECT_TRUE(motion) << "case " << i << ": " << motion.reason;
+  }
+  EXPECT_TRUE(reached > 0 || count < 300) << all_blocked;
 }
 
 TEST(MoveAroundInProgram, NamesTheMoveThatIsNotPossible) {

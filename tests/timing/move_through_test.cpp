@@ -188,6 +188,58 @@ TEST(MoveThrough, PassesStopsBetweenShortAndLongSectionsLinearly) {
 }
 
 // Of a path whose later section is refused no motion is left.
+// Where two sections meet at a stop, a joint may brake in one and start in the other: the jump of
+// its acceleration is larger than at the ends of each.
+TEST(MoveThrough, KeepsKnownJerkAtStops) {
+  testing::Random random;
+  const int count = testing::cases(60);
+  for (int i = 0; i < count; ++i) {
+    std::map<std::string, LimitOverrides> limits;
+    const Arm named = built_in(i % 2 == 0 ? "rrr" : "ur5e");
+    const double velocity = random.uniform(0.1, 1), acceleration = random.uniform(1, 20);
+    for (const std::string& joint : named.joint_names()) {
+      limits[joint] = {.velocity = velocity,
+                       .acceleration = acceleration,
+                       .jerk = acceleration * random.uniform(0.3, 3)};
+    }
+    const Arm arm = with_limits(named, limits);
+    const Interpolation interpolation = i % 3 == 0 ? Interpolation::linear : Interpolation::cubic;
+    const Retimed motion =
+        move_through(arm, random_waypoints(random, arm, random.integer(3, 6)).positions,
+                     {.profile = Profile::trapezoidal,
+                      .interpolation = interpolation,
+                      .joint_blend = 0,
+                      .rate = i % 5 == 0 ? 100.0 : 0});
+    ASSERT_FALSE(motion.reason) << motion.reason;
+    EXPECT_LE(motion.limits.jerk.fraction, 1 + 1e-5) << "case " << i << ", " << named.name();
+    const Verification proof = verify(arm, motion.trajectory);
+    EXPECT_TRUE(proof) << "case " << i << ": " << proof.reason;
+  }
+}
+
+// Otherwise a player that takes joint values for angles may turn the joint the other way.
+TEST(MoveThrough, TurnsNoJointByHalfARevolutionBetweenSamples) {
+  testing::Random random;
+  const Arm arm = built_in("ur5e");
+  const int count = testing::cases(40);
+  for (int i = 0; i < count; ++i) {
+    std::vector<Configuration> waypoints{Configuration::Zero(6)};
+    for (int k = 0; k < 8; ++k) {
+      const double size = k % 3 == 2 ? 0.05 : 3;  // short legs between long ones
+      waypoints.push_back(Configuration(6));
+      for (double& q : waypoints.back()) q = random.uniform(-size, size);
+      if (k % 3 == 2) waypoints.back() += waypoints[waypoints.size() - 2];
+    }
+    const Retimed motion = move_through(arm, waypoints, {.profile = testing::profile_of_case(i)});
+    ASSERT_FALSE(motion.reason) << motion.reason;
+    for (std::size_t k = 1; k < motion.trajectory.size(); ++k) {
+      const Configuration change =
+          motion.trajectory.positions[k] - motion.trajectory.positions[k - 1];
+      ASSERT_LT(change.cwiseAbs().maxCoeff(), 3.01) << "case " << i << ", sample " << k;
+    }
+  }
+}
+
 TEST(MoveThrough, OfARefusedPathLeavesNothing) {
   const Arm arm = built_in("panda");
   const Configuration q = middle_configuration(arm), step = Configuration::Constant(7, 0.1);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <deque>
 
 #include <beeline/model/internal/joint_reason.h>
@@ -9,6 +10,7 @@
 #include <beeline/trajectory/internal/append.h>
 #include <beeline/trajectory/internal/given_duration.h>
 #include <beeline/trajectory/internal/interval_polynomial.h>
+#include <beeline/trajectory/internal/limit_fraction.h>
 #include <beeline/trajectory/internal/tool_speed.h>
 
 namespace beeline::internal {
@@ -158,6 +160,57 @@ Retimed finished(const Arm& arm, const RetimeOptions& options, std::size_t secti
   return timed;
 }
 
+/// The motion along the paths at options.speed_scale.
+Retimed timed_at_scale(const Arm& arm, const std::vector<JointPath>& paths,
+                       const RetimeOptions& options, BudgetMeter& budget,
+                       const std::vector<ToolSpeeds>& tool_speeds) {
+  Retimed timed;
+  timed.profile = options.profile.value_or(default_profile);
+  timed.trajectory.joint_names = arm.joint_names();
+  Sections sections(arm, paths, options, budget, tool_speeds);
+  const double count = static_cast<double>(sections.steps());
+  double steps = 0;  // of the sections so far
+  for (std::size_t i = 0; i < sections.count(); ++i) {
+    const double here = static_cast<double>(sections.steps(i));
+    if (budget.ended(static_cast<std::int64_t>(sections.steps(i) + 1))) break;
+    const TimedSection& section = sections.timed(i);
+    if (!budget.complete() && !section.scaling) break;
+    timed.reason = section.scaling.reason;
+    if (!timed) return timed;
+    // The time scaling of a section is about half of its work.
+    budget.report((steps + 0.5 * here) / count);
+    const bool begun = timed.trajectory.size() > 0;
+    const SampledSection sampled =
+        sections.sampled(i, options.rate, begun ? timed.trajectory.size() : 1,
+                         begun ? timed.trajectory.times.back() : 0);
+    if (!sampled && !sampled.reason) break;  // the budget has ended
+    timed.reason = sampled.reason;
+    if (!timed) {
+      set_possible_rate(
+          options, sections.shortest_duration(),
+          [&](double rate) { return sections.possible(rate); }, timed.reason);
+      return timed;
+    }
+    internal::append(timed.trajectory, sampled.trajectory);
+    ++timed.sections;
+    steps += here;
+    budget.report(steps / count);
+  }
+  return finished(arm, options, sections.count(), budget, std::move(timed));
+}
+
+/// By which factor the speed must fall so that the known limits of jerk are kept where sections
+/// meet. Each keeps them alone; at a stop between two, cubics and linear motions have the jumps of
+/// both. 1 if they are kept, or cannot be at a quarter of the speed.
+double slowdown_at_stops(const Arm& arm, const RetimeOptions& options, const Retimed& timed) {
+  constexpr double slack = 1e-5, margin = 1e-3, largest = 4;
+  const bool is_smooth = options.interpolation == Interpolation::quintic;
+  if (!timed || timed.sections < 2 || is_smooth) return 1;
+  const double used = limit_fraction(arm.limits(), timed.trajectory, 3).fraction;
+  const double factor = (1 + margin) * std::cbrt(used);
+  return used > 1 + slack && factor < largest ? factor : 1;
+}
+
 }  // namespace
 
 Retimed without_motion(Retimed timed) {
@@ -201,39 +254,16 @@ Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
 Retimed timed_paths(const Arm& arm, const std::vector<JointPath>& paths,
                     const RetimeOptions& options, BudgetMeter& budget,
                     const std::vector<ToolSpeeds>& tool_speeds) {
-  Retimed timed;
-  timed.profile = options.profile.value_or(default_profile);
-  timed.trajectory.joint_names = arm.joint_names();
-  Sections sections(arm, paths, options, budget, tool_speeds);
-  const double count = static_cast<double>(sections.steps());
-  double steps = 0;  // of the sections so far
-  for (std::size_t i = 0; i < sections.count(); ++i) {
-    const double here = static_cast<double>(sections.steps(i));
-    if (budget.ended(static_cast<std::int64_t>(sections.steps(i) + 1))) break;
-    const TimedSection& section = sections.timed(i);
-    if (!budget.complete() && !section.scaling) break;
-    timed.reason = section.scaling.reason;
-    if (!timed) return timed;
-    // The time scaling of a section is about half of its work.
-    budget.report((steps + 0.5 * here) / count);
-    const bool begun = timed.trajectory.size() > 0;
-    const SampledSection sampled =
-        sections.sampled(i, options.rate, begun ? timed.trajectory.size() : 1,
-                         begun ? timed.trajectory.times.back() : 0);
-    if (!sampled && !sampled.reason) break;  // the budget has ended
-    timed.reason = sampled.reason;
-    if (!timed) {
-      set_possible_rate(
-          options, sections.shortest_duration(),
-          [&](double rate) { return sections.possible(rate); }, timed.reason);
-      return timed;
-    }
-    append(timed.trajectory, sampled.trajectory);
-    ++timed.sections;
-    steps += here;
-    budget.report(steps / count);
+  Retimed timed = timed_at_scale(arm, paths, options, budget, tool_speeds);
+  RetimeOptions slower = options;
+  constexpr int max_attempts = 5;
+  for (int i = 0; i < max_attempts && budget.complete(); ++i) {
+    const double factor = slowdown_at_stops(arm, options, timed);
+    if (factor == 1) break;
+    slower.speed_scale /= factor;
+    timed = timed_at_scale(arm, paths, slower, budget, tool_speeds);
   }
-  return finished(arm, options, sections.count(), budget, std::move(timed));
+  return timed;
 }
 
 }  // namespace beeline::internal

@@ -22,6 +22,9 @@ constexpr int max_widenings = 3;
 // fractions of the limits of velocity, acceleration and jerk.
 constexpr double velocity_error = 1e-3, acceleration_error = 3e-3, jerk_error = 0.04;
 constexpr double first_intervals = 8;
+// Change of a joint between two samples, rad or m: a player that takes them for angles must not
+// turn it the other way (less than half a revolution).
+constexpr double largest_change = 3;
 constexpr double shortest = 1.0 / 4096;  // interval between samples, of the duration
 
 // Grid points of a path up to which ramps and shortest intervals are these fractions of the
@@ -73,6 +76,7 @@ class Refinement {
  private:
   bool agrees(const Sample& a, const std::array<Sample, 3>& inner, const Sample& b) const {
     const double h = b.t - a.t;
+    if ((b.state.q - a.state.q).cwiseAbs().maxCoeff() > largest_change) return false;
     for (Eigen::Index i = 0; i < a.state.q.size(); ++i) {
       const Polynomial p =
           options_.timing.interpolation == Interpolation::cubic
