@@ -51,7 +51,9 @@ using BodyNames = std::array<std::string_view, 2>;
 
 /// One step of a Servo.
 struct ServoStep {
-  double scale = 1;  ///< α: the fraction of the command that the step achieves, in [0, 1]
+  /// α: the fraction of the command that the step achieves, in [0, 1]; while the velocity changes
+  /// towards the command, with the limit `acceleration`, the fraction that it aims at.
+  double scale = 1;
   ServoLimit limit = ServoLimit::none;      ///< the limit that determines the scale
   std::optional<int> joint = std::nullopt;  ///< coordinate whose limit determines the scale, from 0
   /// The two bodies with the limit `clearance`; the first is a link's.
@@ -67,16 +69,16 @@ std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 /// Cartesian velocity control: converts tool velocities into joint velocities within the arm's
 /// limits, in a control loop. Each step solves
 ///
-///   maximise    α ∈ [0, 1]
-///   subject to  J q̇ = α v
+///   q̇ = α q̇_1 with J q̇_1 = v and the largest α ∈ [0, 1] for which
 ///               |q̇_k| ≤ velocity limit
 ///               |q̇_k − last q̇_k| ≤ acceleration limit · time_step
 ///               q_k can stop within its position limits at the acceleration limit
 ///               half the acceleration limit suffices for J̇ q̇ as the motion continues
 ///
 /// The tool keeps the direction of the command v and slows down; α is never negative. Among the
-/// solutions of J q̇ = α v, q̇ has the least norm weighted by the velocity limits. A redundant arm
-/// adds null-space motion away from the position limits (Liégeois 1977). If the last velocity
+/// solutions of J q̇_1 = v, q̇_1 has the least norm weighted by the velocity limits; of a redundant
+/// arm another solution may permit a larger α. A redundant arm adds null-space motion away from the
+/// position limits (Liégeois 1977). If the last velocity
 /// leaves no feasible q̇, for example after a change of the command, q̇ changes towards the command
 /// as fast as the acceleration limits allow.
 ///

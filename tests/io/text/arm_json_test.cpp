@@ -300,6 +300,13 @@ TEST(ArmJson, MistakesInLimitsAndMimicsAreNamed) {
   EXPECT_REFUSED(mimicking("{}"), "joints[1].mimic needs the key \"joint\"");
 }
 
+TEST(ArmJson, MayNameItsSchema) {
+  const std::string text = R"({"$schema": "arm.schema.json", "name": "a", "joint_string": "R"})";
+  EXPECT_EQ(parse_arm(text).dof(), 1);
+  EXPECT_REFUSED(parse_arm(R"({"name": "a", "dh": {"$schema": "", "rows": []}})"),
+                 "unknown key \"$schema\"");
+}
+
 TEST(ArmJson, MistakesInTheWholeAreNamed) {
   EXPECT_REFUSED(parse_arm("[]"), "the document must be an object, not a list");
   EXPECT_REFUSED(parse_arm(R"({"joints": []})"), "the document needs the key \"name\"");
