@@ -86,10 +86,10 @@ struct Expansions;
 using XacroArguments = std::map<std::string, std::string>;
 
 /// Keeps the expanded texts of .xacro files for as long as it lives: functions that are called in
-/// its thread meanwhile run the program once for each file, unless its text changes. The program
-/// gets `arguments`; without any, and for what is created while it lives, those of the object
-/// around it. The command has one for each call. Throws Error for a name with other characters than
-/// letters, digits, `_` and `-`, or that begins with `-`.
+/// its thread meanwhile run the program once for each file, unless its text changes, and give it
+/// `arguments`. One without arguments, made while another one lives, uses what that one has. The
+/// command has one for each call. Throws Error for a name with other characters than letters,
+/// digits, `_` and `-`, or that begins with `-`.
 class KeptExpansions {
  public:
   explicit KeptExpansions(const XacroArguments& arguments = {});
@@ -98,7 +98,7 @@ class KeptExpansions {
   KeptExpansions& operator=(const KeptExpansions&) = delete;
 
  private:
-  std::unique_ptr<internal::Expansions> own_;  ///< null: it uses those of the object around it
+  std::unique_ptr<internal::Expansions> own_;  ///< null: it uses what `around_` has
   internal::Expansions* around_ = nullptr;
 };
 
