@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 
@@ -129,6 +130,27 @@ Answer compare_gains(const MoveArguments& arguments, const Arm& arm, const Confi
   return compared_gains(motions, to, arguments.files.draw);
 }
 
+/// Warns of two neighbouring waypoints that are much closer than others, such as a position taught
+/// twice: the spline through both needs large accelerations there, and its duration grows.
+void warn_of_twins(const std::vector<Configuration>& waypoints) {
+  constexpr double much_closer = 1e-3;  // of the median distance
+  std::vector<double> distances;
+  for (std::size_t k = 1; k < waypoints.size(); ++k) {
+    distances.push_back((waypoints[k] - waypoints[k - 1]).norm());
+  }
+  std::vector<double> sorted = distances;
+  std::sort(sorted.begin(), sorted.end());
+  const double median = sorted[sorted.size() / 2];
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    if (distances[k] == 0 || distances[k] > much_closer * median) continue;
+    const std::string first = k == 0 ? "--from" : fmt::format("configuration {}", k);
+    return warn(
+        fmt::format("--through: {} and configuration {} are {} apart; the spline through "
+                    "both takes long: leave one out, or use --joint-blend",
+                    first, k + 1, number(distances[k])));
+  }
+}
+
 /// The quickest motion through the configurations of --through.
 Answer move_through_file(const MoveArguments& arguments, const Arm& arm, const Configuration& from,
                          const std::optional<CheckedScene>& scene) {
@@ -137,6 +159,7 @@ Answer move_through_file(const MoveArguments& arguments, const Arm& arm, const C
   RetimeOptions options = arguments.path.through_options();
   options.recover = arguments.recover.read(arm, arguments.unit);
   options.budget = arguments.budget.next();
+  if (!options.joint_blend) warn_of_twins(waypoints);
   const Retimed retimed = beeline::move_through(arm, waypoints, options);
   RetimedResult result{arguments.scene, scene, arguments.budget, arguments.files, arguments.unit};
   for (const Configuration& q : waypoints) result.waypoints.push_back(forward_kinematics(arm, q));

@@ -225,12 +225,7 @@ std::vector<std::string> links_without(const Arm& arm, const ArmShapes& read,
 }
 
 void warn_about(const CheckedScene& scene, const std::vector<std::string>& far) {
-  if (!far.empty()) {
-    warn(
-        "obstacles farther away than ten times the arm's reach, or larger than a hundred times, "
-        "probably in millimetres: " +
-        listed(far));
-  }
+  if (!far.empty()) warn(far_obstacles_note(far));
   if (!scene.links_without_shapes.empty()) {
     warn("links without shapes are not checked: " + listed(scene.links_without_shapes));
   }

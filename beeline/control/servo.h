@@ -51,8 +51,8 @@ using BodyNames = std::array<std::string_view, 2>;
 
 /// One step of a Servo.
 struct ServoStep {
-  /// α: the fraction of the command that the step achieves, in [0, 1]; while the velocity changes
-  /// towards the command, with the limit `acceleration`, the fraction that it aims at.
+  /// α: the fraction of the command that the step achieves, in [0, 1]. With the limit
+  /// `acceleration`, while the velocity still changes, the fraction that it approaches.
   double scale = 1;
   ServoLimit limit = ServoLimit::none;      ///< the limit that determines the scale
   std::optional<int> joint = std::nullopt;  ///< coordinate whose limit determines the scale, from 0
@@ -69,7 +69,8 @@ std::ostream& operator<<(std::ostream& out, const ServoStep& step);
 /// Cartesian velocity control: converts tool velocities into joint velocities within the arm's
 /// limits, in a control loop. Each step solves
 ///
-///   q̇ = α q̇_1 with J q̇_1 = v and the largest α ∈ [0, 1] for which
+///   q̇ = α q̇_1 + null-space motion, so that J q̇ = α v,
+///   with J q̇_1 = v and the largest α ∈ [0, 1] for which
 ///               |q̇_k| ≤ velocity limit
 ///               |q̇_k − last q̇_k| ≤ acceleration limit · time_step
 ///               q_k can stop within its position limits at the acceleration limit

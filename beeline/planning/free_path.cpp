@@ -237,8 +237,9 @@ class PathSearch {
     if (free_goals.empty() || (found() && path_.goal == free_goals.front())) return path_;
     search(free_goals);
     const double detour = long_detour * distance(free_goals.front());
-    for (int i = 1; i <= further_searches && found() && length() > detour; ++i) {
-      grow_trees(closer_than(length(), free_goals), near_goal_edges, options_.random_seed + i);
+    std::mt19937_64 seeds(options_.random_seed);
+    for (int i = 0; i < further_searches && found() && length() > detour; ++i) {
+      grow_trees(closer_than(length(), free_goals), near_goal_edges, seeds());
     }
     return path_;
   }
@@ -264,7 +265,7 @@ class PathSearch {
 
   FreeEdges edges(int most) const {
     const int left = options_.max_edges - static_cast<int>(path_.edges - shortcuts_);
-    return FreeEdges(model_, std::min(most, left), budget_);
+    return FreeEdges(model_, std::clamp(left, 0, most), budget_);
   }
 
   /// The straight joint motion to the nearest goal with one that is free.
@@ -272,8 +273,9 @@ class PathSearch {
     FreeEdges straight = edges(options_.max_edges);
     for (const std::size_t i : goals) {
       if (!straight.seems_free(start_, goals_[i])) continue;
+      const bool nearest = i == goals.front();
       if (!straight.is_free(start_, goals_[i]) &&
-          !straight.is_free_closely(start_, goals_[i], close_proof_work)) {
+          !(nearest && straight.is_free_closely(start_, goals_[i], close_proof_work))) {
         continue;
       }
       path_.waypoints = {start_, goals_[i]};

@@ -50,9 +50,9 @@ std::ostream& operator<<(std::ostream& out, const FreePath& path);
 /// (RRT-Connect, Kuffner and LaValle 2000), to the near goals first. The trees use edges of which
 /// no sample is blocked; the path is shortened, and each of its motions is proved. An edge that is
 /// not proved is removed, and the search goes on. A path of more than 2.5 times the distance to the
-/// nearest goal is searched again four times. The shortest path that is found is returned.
-/// Equal arguments give equal paths. Joint values are numbers; angles are not wrapped. Lengths of
-/// paths add radians and metres.
+/// nearest free goal is searched again, up to four times with at most 1000 edges each. The shortest
+/// path that is found is returned. Equal arguments give equal paths. Joint values are numbers;
+/// angles are not wrapped. Lengths of paths add radians and metres.
 ///
 /// The status is `outside_limits` for a start or goals outside the position limits, and `collides`
 /// or `not_decided` for a start or goals that are not proved to keep the clearance; the reason

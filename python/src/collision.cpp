@@ -189,11 +189,7 @@ void bind_other_shape_files(nb::module_& m) {
 
 void warn_of_far_obstacles(const Arm& arm, const Scene& scene) {
   const std::vector<std::string> far = far_obstacles(arm, scene);
-  if (far.empty()) return;
-  warn_of_input(
-      "obstacles farther away than ten times the arm's reach, or larger than a hundred times, "
-      "probably in millimetres: " +
-      listed(far));
+  if (!far.empty()) warn_of_input(far_obstacles_note(far));
 }
 
 void bind_bodies_of_model(nb::class_<CollisionModel>& model) {

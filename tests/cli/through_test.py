@@ -35,6 +35,16 @@ def test_the_spline_passes_the_configurations(through, tmp_path):
     assert answer.json["limits"]["velocity"]["fraction"] <= 1 + 1e-6
 
 
+def test_twins_are_warned_of(beeline, written):
+    twin = WAYPOINTS[:3] + [tuple(value + 1e-6 for value in WAYPOINTS[2])] + WAYPOINTS[3:]
+    written("twin.csv", "".join(f"{a},{b},{c}\n" for a, b, c in twin[1:]))
+    move = ("move", "rrr", "--from", "0,1,0", "--method", "quickest", "--through", "twin.csv")
+    answer = beeline(*move)
+    assert answer.code == 0 and "configuration 2 and configuration 3 are 1.73205e-06 apart" in answer.err
+    answer = beeline(*move, "--joint-blend", "0.1")
+    assert answer.code == 0 and "apart" not in answer.err
+
+
 def test_blends_pass_near_them(through, beeline, tmp_path):
     answer = through("--joint-blend", "0.1", "--out", "m.csv", "--json")
     assert answer.code == 0, answer.err

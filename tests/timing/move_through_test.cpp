@@ -187,7 +187,6 @@ TEST(MoveThrough, PassesStopsBetweenShortAndLongSectionsLinearly) {
   }
 }
 
-// Of a path whose later section is refused no motion is left.
 // Where two sections meet at a stop, a joint may brake in one and start in the other: the jump of
 // its acceleration is larger than at the ends of each.
 TEST(MoveThrough, KeepsKnownJerkAtStops) {
@@ -243,6 +242,7 @@ TEST(MoveThrough, TurnsNoJointByHalfARevolutionBetweenSamples) {
   EXPECT_GE(2 * passed, count);
 }
 
+// Of a path whose later section is refused no motion is left.
 TEST(MoveThrough, OfARefusedPathLeavesNothing) {
   const Arm arm = built_in("panda");
   const Configuration q = middle_configuration(arm), step = Configuration::Constant(7, 0.1);

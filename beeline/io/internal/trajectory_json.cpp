@@ -129,13 +129,13 @@ std::pair<double, double> seconds_and_nanoseconds(const JsonDocument& document, 
 Trajectory PointReader::finish(Json root) {
   if (Json* const found = message_in(root, path_)) {
     Json message = std::move(*found);
-    Json::Items points;
-    if (Json* const list = member_of(message, "points")) {
-      if (auto* items = std::get_if<Json::Items>(&list->value)) points.swap(*items);
-    }
-    for (Json& point : points) take(message, std::move(point));
-    return finish(std::move(message));
+    root = std::move(message);
   }
+  Json::Items points;  // what was not taken while the text was read
+  if (Json* const list = member_of(root, "points")) {
+    if (auto* items = std::get_if<Json::Items>(&list->value)) points.swap(*items);
+  }
+  for (Json& point : points) take(root, std::move(point));
   const JsonDocument document(std::move(root), path_);
   document.check_keys(document.root(), {"header", "joint_names", "points"});
   const Json& names = document.need(document.root(), "joint_names");

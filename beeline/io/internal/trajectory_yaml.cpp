@@ -24,24 +24,6 @@ Json scalar(const std::string& text, const std::string& tag) {
   return {text};
 }
 
-Yaml* member_of(Yaml& yaml, std::string_view key) {
-  auto* members = std::get_if<Yaml::Members>(&yaml.value);
-  if (members == nullptr) return nullptr;
-  for (YamlMember& member : *members) {
-    if (member.key == key) return &member.value;
-  }
-  return nullptr;
-}
-
-/// The message itself, or the part of a goal or a plan that is one.
-Yaml& message_in(Yaml& root) {
-  for (const char* key : {"trajectory", "joint_trajectory"}) {
-    Yaml* const part = member_of(root, key);
-    if (part != nullptr) return message_in(*part);
-  }
-  return root;
-}
-
 /// Returns the text without a line `---` at its end, which separates messages. Throws FileError if
 /// another message follows one.
 std::string_view without_separator(std::string_view text, const std::string& path) {
@@ -61,21 +43,10 @@ std::string_view without_separator(std::string_view text, const std::string& pat
 
 Trajectory trajectory_from_values(std::string_view text, const std::string& path) {
   Yaml root = parse_yaml(without_separator(text, path), path, trajectory_bounds);
-  Yaml& message = message_in(root);
-  if (!std::holds_alternative<Yaml::Members>(message.value)) {
-    throw FileError(path, message.line, "is no map with the keys joint_names and points");
+  if (!std::holds_alternative<Yaml::Members>(root.value)) {
+    throw FileError(path, root.line, "is no map with the keys joint_names and points");
   }
-  std::vector<Yaml> points;
-  if (Yaml* const found = member_of(message, "points")) {
-    if (auto* items = std::get_if<Yaml::Items>(&found->value)) points.swap(*items);
-  }
-  Json rest = json_of(std::move(message));
-  PointReader reader(path);
-  for (Yaml& point : points) {
-    Yaml taken = std::move(point);  // whose memory ends here
-    reader.take(rest, json_of(std::move(taken)));
-  }
-  return reader.finish(std::move(rest));
+  return PointReader(path).finish(json_of(std::move(root)));
 }
 
 /// Whether the value behind comments is in braces.

@@ -162,8 +162,8 @@ Arm arm_from_json(std::string_view text, const std::string& path,
   document.check_keys(
       root, {"name", "maker", "model", "source", "note", "base", "tool", "controller_base",
              "controller_base_assumed", "flange", "flange_assumed", "joints", "joint_string", "dh",
-             "screws", "joint_names", "shapes", "shapes_source"});
-  for (const char* key : {"maker", "model", "source", "note", "shapes_source"}) {
+             "screws", "joint_names", "shapes", "shapes_source", "$schema"});
+  for (const char* key : {"$schema", "maker", "model", "source", "note", "shapes_source"}) {
     if (const Json* found = document.find(root, key)) document.text(*found);
   }
   if (const Json* names = document.find(root, "joint_names")) check_joint_names(document, *names);

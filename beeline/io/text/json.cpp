@@ -159,7 +159,6 @@ const Json& JsonDocument::need(const Json& object, std::string_view key) const {
 void JsonDocument::check_keys(const Json& object, const std::vector<std::string>& known) const {
   for (const auto& [key, value] : members(object)) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    if (key == "$schema" && &object == &root()) continue;  // for editors
     const std::string value_path = place_of(object);
     const std::string error = unknown_name("key", internal::printable(key), known).what();
     throw FileError(path_, value.line, value_path.empty() ? error : value_path + ": " + error);

@@ -15,7 +15,7 @@ namespace beeline {
 /// outside the range of a double. Its message begins with `what`.
 double parse_number(std::string_view text, std::string_view what);
 
-/// Parses numbers separated by commas: `1,2,-3e-1`, also in brackets, as Python prints them. Throws
+/// Parses numbers separated by commas: `1,2,-3e-1`, also in brackets. Throws
 /// the same Error, which names the item.
 std::vector<double> parse_numbers(std::string_view text, std::string_view what);
 

@@ -147,7 +147,10 @@ PoseList read_poses(const std::string& path, const PoseFormat& format) {
 WrittenPose parse_pose(std::string_view text, const PoseFormat& format) {
   if (text.starts_with("p[")) {
     const PoseFormat of_urscript{.pose_form = PoseForm::rotvec};
-    return parse_pose(text.substr(1), of_urscript);
+    const std::vector<double> values = parse_numbers(text.substr(1), "pose");
+    const PoseColumns& columns =
+        internal::pose_columns_of(values.size(), of_urscript, "pose " + in_quotes(text) + " has ");
+    return written_pose(values, columns, of_urscript);
   }
   const std::vector<double> values = parse_numbers(text, "pose");
   const PoseColumns& columns =

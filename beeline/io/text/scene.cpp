@@ -69,7 +69,8 @@ std::string pairs_to_json(const std::string& key, const std::vector<NamedPair>& 
 
 Scene scene_of(const JsonDocument& document) {
   const Json& root = document.root();
-  document.check_keys(root, {"obstacles", "allowed_pairs", "exempted_pairs"});
+  document.check_keys(root, {"obstacles", "allowed_pairs", "exempted_pairs", "$schema"});
+  if (const Json* schema = document.find(root, "$schema")) document.text(*schema);
   Scene scene;
   std::unordered_set<std::string> names;
   for (const Json& item : document.items(document.need(root, "obstacles"))) {
@@ -142,6 +143,12 @@ Scene read_scene(const std::string& path, const ShapeOptions& options) {
 
 std::string visual_links_note(const std::string& path, const std::vector<std::string>& links) {
   return path + ": links with <visual> and without <collision> are no obstacles: " + listed(links);
+}
+
+std::string far_obstacles_note(const std::vector<std::string>& names) {
+  return "obstacles farther away than ten times the arm's reach, or larger than a hundred times, "
+         "probably in millimetres: " +
+         listed(names);
 }
 
 std::string scene_to_json(const Scene& scene) {

@@ -100,6 +100,8 @@ Scene scene_from_urdf(std::string_view text, const std::string& path,
 
 /// Returns a sentence without a full stop about Scene::links_without_shapes of a file.
 std::string visual_links_note(const std::string& path, const std::vector<std::string>& links);
+/// The same about far_obstacles(), which are probably in millimetres.
+std::string far_obstacles_note(const std::vector<std::string>& names);
 
 /// Returns the scene as JSON, which reads back exactly. Throws Error for an obstacle without
 /// shapes, and a name that is empty, not UTF-8, longer than 1000 bytes, or has control characters.

@@ -66,12 +66,13 @@ namespace beeline {
 ///     `joint0`, by MuJoCo's indices.
 ///
 /// A file `.xacro` is expanded by the program `xacrodoc` or `xacro`, if one is in a folder of PATH;
-/// KeptExpansions has its arguments. Programs run for at most a minute. Other files with elements
-/// of xacro are read as described above. Throws FileError for text that is neither URDF nor MJCF;
-/// for a `.xacro` file where no program is installed or it fails, with its message; for what is
-/// malformed in MJCF; several roots or tips without a choice by `ends`; a tip that is unknown, not
-/// connected to the base, or not moved by any joint; on the chain a fault, an axis of zero length,
-/// a lower limit that exceeds the upper one, or a mimic joint whose leader is not in the file.
+/// KeptExpansions passes arguments to it. Programs run for at most a minute. Other files with
+/// elements of xacro are read as described above. Throws FileError for text that is neither URDF
+/// nor MJCF; for a `.xacro` file where no program is installed or it fails, with its message; for
+/// what is malformed in MJCF; several roots or tips without a choice by `ends`; a tip that is
+/// unknown, not connected to the base, or not moved by any joint; on the chain a fault, an axis of
+/// zero length, a lower limit that exceeds the upper one, or a mimic joint whose leader is not in
+/// the file.
 Arm read_urdf(const std::string& path, const ChainEnds& ends = {},
               std::vector<ReadWarning>* warnings = nullptr);
 /// The same from a text; `path` names it in messages.
@@ -82,14 +83,15 @@ namespace internal {
 struct Expansions;
 }
 
-/// The values of a .xacro file's arguments, by name: of `<xacro:arg>` elements.
+/// Values of the `<xacro:arg>` elements of a .xacro file, by name.
 using XacroArguments = std::map<std::string, std::string>;
 
 /// Keeps the expanded texts of .xacro files for as long as it lives: functions that are called in
 /// its thread meanwhile run the program once for each file, unless its text changes, and give it
 /// `arguments`. One without arguments, made while another one lives, uses what that one has. The
 /// command has one for each call. Throws Error for a name with other characters than letters,
-/// digits, `_` and `-`, or that begins with `-`.
+/// digits, `_` and `-`, or that begins with `-`. Use it as a local variable only: they must be
+/// destroyed in reverse order, in their thread.
 class KeptExpansions {
  public:
   explicit KeptExpansions(const XacroArguments& arguments = {});

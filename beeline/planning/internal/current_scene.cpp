@@ -18,7 +18,7 @@ const CollisionModel& CurrentScene::model() {
   return changed_ ? *changed_ : model_;
 }
 
-BlockedBy CurrentScene::blocked() {
+decltype(InverseOptions::blocked_by) CurrentScene::blocked() {
   return [&current = model()](const ConfigurationRef& q) { return blocked_by(current, q); };
 }
 

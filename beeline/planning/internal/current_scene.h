@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include <beeline/inverse/inverse_kinematics.h>
 #include <beeline/planning/internal/carried_parts.h>
-#include <beeline/planning/internal/pose_configurations.h>
 #include <beeline/planning/internal/program_parts.h>
 
 namespace beeline::internal {
@@ -21,8 +21,8 @@ class CurrentScene {
   /// The arm with the parts that it carries, among the other obstacles.
   const CollisionModel& model();
 
-  /// blocked_by() of model(), until the scene changes.
-  BlockedBy blocked();
+  /// blocked_by() of model(), to which the result refers: not valid after arrive().
+  decltype(InverseOptions::blocked_by) blocked();
 
   /// Erases the configurations that are blocked; returns why the first of them is.
   Reason erase_blocked(std::vector<Configuration>& configurations);

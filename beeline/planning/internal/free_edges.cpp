@@ -81,7 +81,9 @@ bool FreeEdges::is_free_closely(const Configuration& a, const Configuration& b,
   edge_.positions = {a, b};
   Budget budget = budget_.part();
   budget.max_work = max_work;
-  return static_cast<bool>(prove_clearance(model_, edge_, {.budget = budget}));
+  ClearanceOptions options{.budget = budget};
+  options.resolution *= 2;
+  return static_cast<bool>(prove_clearance(model_, edge_, options));
 }
 
 bool FreeEdges::are_free(const std::vector<Configuration>& waypoints) {

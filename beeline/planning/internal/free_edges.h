@@ -32,9 +32,8 @@ class FreeEdges {
   bool is_free(const Configuration& a, const Configuration& b);
   bool is_free(const Trajectory& motion) { return is_free(motion, budget_); }
 
-  /// Whether the straight motion is proved to keep the clearance, within so many units of work,
-  /// where it is nearer to a body than is_free() decides: to prove_clearance()'s default
-  /// resolution.
+  /// Like is_free(), within `max_work` units, to twice the default resolution of prove_clearance():
+  /// its timed motion, which differs a little from the straight one, can then be proved, too.
   bool is_free_closely(const Configuration& a, const Configuration& b, std::int64_t max_work);
 
   /// Whether the straight motions from each waypoint to the next are proved. Where the budget has

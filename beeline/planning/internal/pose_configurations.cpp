@@ -22,9 +22,9 @@ double least_duration(const Arm& arm, const Configuration& from, const Configura
 
 }  // namespace
 
-std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, const Pose& pose,
-                                              const Configuration& from, const Budget& budget,
-                                              const BlockedBy& blocked_by) {
+std::vector<Configuration> configurations_for(
+    const Arm& arm, const Task& task, const Pose& pose, const Configuration& from,
+    const Budget& budget, const decltype(InverseOptions::blocked_by)& blocked_by) {
   const bool redundant = is_redundant(arm, task);
   InverseOptions options{
       .seed = from, .task = task, .all = true, .every_turn = !redundant, .budget = budget};
@@ -40,17 +40,22 @@ std::vector<Configuration> configurations_for(const Arm& arm, const Task& task, 
   }
   const InverseResult all = inverse_kinematics(arm, pose, options);
   found.insert(found.end(), all.solutions.begin(), all.solutions.end());
-  const auto blocked = [&](const Configuration& q) { return bool(blocked_by(q)); };
-  if (redundant && blocked_by && std::all_of(found.begin(), found.end(), blocked)) {
-    InverseOptions finer{
-        .seed = from, .task = task, .all = true, .blocked_by = blocked_by, .budget = budget};
-    finer.method = options.method;
+  const auto is_free = [&](const Configuration& q) { return !blocked_by(q); };
+  const bool all_blocked = blocked_by && std::none_of(found.begin(), found.end(), is_free);
+  if (redundant && all_blocked && !found.empty()) {
+    const InverseOptions finer{.seed = from,
+                               .task = task,
+                               .method = options.method,
+                               .all = true,
+                               .blocked_by = blocked_by,
+                               .budget = budget};
     std::vector<Configuration> free = inverse_kinematics(arm, pose, finer).solutions;
     if (!free.empty()) found = std::move(free);
   }
   std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
     return least_duration(arm, from, a) < least_duration(arm, from, b);
   });
+  if (blocked_by) std::stable_partition(found.begin(), found.end(), is_free);
   const std::size_t most = redundant ? max_redundant_candidates : max_candidates;
   if (found.size() > most) found.resize(most);
   return found;

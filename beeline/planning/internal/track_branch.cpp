@@ -198,9 +198,14 @@ class InverseConditions {
   explicit InverseConditions(int dof) : six_rows_(6, dof) { six_rows_.setZero(); }
 
   double of(const Eigen::MatrixXd& jacobian) {
+    constexpr int most = 100;  // then rounding adds up in the product of their rotations
+    if (++since_reset_ > most) {
+      svd_.left.setIdentity();
+      since_reset_ = 0;
+    }
     six_rows_.topRows(jacobian.rows()) = jacobian;
     svd_.compute(six_rows_);
-    auto& sigma = svd_.singular_values;
+    Eigen::Matrix<double, 6, 1> sigma = svd_.singular_values;
     std::sort(sigma.begin(), sigma.end(), std::greater<>());
     const double smallest = sigma[std::min(jacobian.rows(), jacobian.cols()) - 1];
     const double negligible =
@@ -211,6 +216,7 @@ class InverseConditions {
  private:
   Eigen::Matrix<double, 6, Eigen::Dynamic> six_rows_;
   SixRowSvd svd_;
+  int since_reset_ = 0;
 };
 
 }  // namespace

@@ -160,10 +160,11 @@ Retimed finished(const Arm& arm, const RetimeOptions& options, std::size_t secti
   return timed;
 }
 
-/// The motion along the paths at options.speed_scale.
-Retimed timed_at_scale(const Arm& arm, const std::vector<JointPath>& paths,
-                       const RetimeOptions& options, BudgetMeter& budget,
-                       const std::vector<ToolSpeeds>& tool_speeds) {
+/// The sections of a motion along the paths, joined; fewer if the budget has ended or there is a
+/// reason.
+Retimed joined_sections(const Arm& arm, const std::vector<JointPath>& paths,
+                        const RetimeOptions& options, BudgetMeter& budget,
+                        const std::vector<ToolSpeeds>& tool_speeds) {
   Retimed timed;
   timed.profile = options.profile.value_or(default_profile);
   timed.trajectory.joint_names = arm.joint_names();
@@ -196,19 +197,20 @@ Retimed timed_at_scale(const Arm& arm, const std::vector<JointPath>& paths,
     steps += here;
     budget.report(steps / count);
   }
-  return finished(arm, options, sections.count(), budget, std::move(timed));
+  return timed;
 }
 
-/// By which factor the speed must fall so that the known limits of jerk are kept where sections
-/// meet. Each keeps them alone; at a stop between two, cubics and linear motions have the jumps of
-/// both. 1 if they are kept, or cannot be at a quarter of the speed.
-double slowdown_at_stops(const Arm& arm, const RetimeOptions& options, const Retimed& timed) {
-  constexpr double slack = 1e-5, margin = 1e-3, largest = 4;
-  const bool is_smooth = options.interpolation == Interpolation::quintic;
-  if (!timed || timed.sections < 2 || is_smooth) return 1;
-  const double used = limit_fraction(arm.limits(), timed.trajectory, 3).fraction;
-  const double factor = (1 + margin) * std::cbrt(used);
-  return used > 1 + slack && factor < largest ? factor : 1;
+/// Returns the factor, 1 or more, by which the speed must fall so that the known limits of jerk are
+/// kept where sections meet. Each section keeps them alone; at a stop between two, cubics and
+/// linear motions have the jumps of both.
+double slowdown_at_stops(const Arm& arm, const RetimeOptions& options, const Retimed& timed,
+                         BudgetMeter& budget) {
+  constexpr double slack = 1e-5, margin = 1e-3;
+  const bool is_quintic = options.interpolation == Interpolation::quintic;
+  if (!timed || timed.sections < 2 || is_quintic) return 1;
+  const double used = limit_fraction(arm.limits(), timed.trajectory, 3, budget).fraction;
+  const double factor = std::cbrt(used) / options.speed_scale;
+  return factor > 1 + slack ? (1 + margin) * factor : 1;
 }
 
 }  // namespace
@@ -254,16 +256,19 @@ Retimed retimed_paths(const Arm& arm, const std::vector<JointPath>& paths,
 Retimed timed_paths(const Arm& arm, const std::vector<JointPath>& paths,
                     const RetimeOptions& options, BudgetMeter& budget,
                     const std::vector<ToolSpeeds>& tool_speeds) {
-  Retimed timed = timed_at_scale(arm, paths, options, budget, tool_speeds);
-  RetimeOptions slower = options;
+  Retimed timed = joined_sections(arm, paths, options, budget, tool_speeds);
   constexpr int max_attempts = 5;
+  constexpr double least = 0.2;  // of the speed; a stop that needs less keeps what it needs
+  RetimeOptions slower = options;
   for (int i = 0; i < max_attempts && budget.complete(); ++i) {
-    const double factor = slowdown_at_stops(arm, options, timed);
-    if (factor == 1) break;
+    const double factor = slowdown_at_stops(arm, options, timed, budget);
     slower.speed_scale /= factor;
-    timed = timed_at_scale(arm, paths, slower, budget, tool_speeds);
+    if (factor == 1 || slower.speed_scale < least * options.speed_scale) break;
+    Retimed tried = joined_sections(arm, paths, slower, budget, tool_speeds);
+    if (budget.complete()) timed = std::move(tried);
   }
-  return timed;
+  if (!timed) return timed;
+  return finished(arm, options, paths.size(), budget, std::move(timed));
 }
 
 }  // namespace beeline::internal

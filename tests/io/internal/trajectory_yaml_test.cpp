@@ -56,6 +56,8 @@ TEST(TrajectoryYaml, MessagesOfEveryStyleReadBack) {
           "trajectory:\n" + block_style(trajectory, "  "),
           "joint_trajectory:\n" + block_style(trajectory, "  ") +
               "multi_dof_joint_trajectory: {}\n",
+          "model_id: a\ntrajectory:\n  - joint_trajectory:\n" + block_style(trajectory, "      ") +
+              "trajectory_start: {}\n",
           json, "# a comment\n---\n" + json}) {
       ASSERT_TRUE(same(parse_yaml_text(text), trajectory)) << text;
     }

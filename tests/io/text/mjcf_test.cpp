@@ -230,6 +230,8 @@ TEST(Mjcf, TheInnermostClassGivesTheOrientation) {
       EXPECT_TRUE(tool("", "").col(0).isApprox(Vector3::UnitY(), 1e-15)) << outer;
       EXPECT_TRUE(tool(site, "").isIdentity(1e-15)) << outer << ", " << inner;
       EXPECT_TRUE(tool("", inner).isIdentity(1e-15)) << outer << ", " << inner;
+      const std::string earlier = "<site " + outer + "/>";  // of the same class
+      EXPECT_TRUE(tool(earlier + site, "").isIdentity(1e-15)) << outer << ", " << inner;
     }
   }
 }

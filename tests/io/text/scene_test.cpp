@@ -63,6 +63,11 @@ TEST(Scene, ReadsBackAsItWasWritten) {
 
 TEST(Scene, RefusesOtherValuesByTheirPlace) {
   EXPECT_REFUSED(scene_from_json("{}", "cell.json"), "cell.json");
+  EXPECT_TRUE(scene_from_json(R"({"$schema": "a", "obstacles": []})", "a").obstacles.empty());
+  EXPECT_REFUSED(scene_from_json(R"({"$schema": 1, "obstacles": []})", "a"), "$schema");
+  EXPECT_REFUSED(scene_of(R"({"name": "a", "shapes": [{"sphere": {"radius": 1},
+                              "pose": {"rpy": [0, -90, 0]}}]})"),
+                 "rpy has an angle of 90 rad; at most 12.5664, two revolutions, are accepted");
   EXPECT_REFUSED(scene_of(R"({"shapes": []})"), "name");
   EXPECT_REFUSED(scene_of(R"({"name": "a"})"), "shapes");
   EXPECT_REFUSED(scene_of(R"({"name": "", "shapes": []})"), "obstacles[0].name");

@@ -59,8 +59,14 @@ void MjcfDefaults::read(const XMLElement& element, std::size_t own, int depth) {
   const XmlElements& reader = reader_of(element);
   for (const XMLElement* at : document_->children(element)) {
     if (std::string_view(at->Name()) == "default") continue;
+    auto& elements = classes_[own].elements;
+    // An orientation replaces an earlier one in any form.
+    if (std::any_of(std::begin(mjcf_orientations), std::end(mjcf_orientations),
+                    [&](const char* form) { return at->Attribute(form) != nullptr; })) {
+      for (const char* form : mjcf_orientations) elements.erase({at->Name(), form});
+    }
     for (const auto* given = at->FirstAttribute(); given != nullptr; given = given->Next()) {
-      classes_[own].elements[{at->Name(), given->Name()}] = at;
+      elements[{at->Name(), given->Name()}] = at;
     }
   }
   for (const XMLElement* at : document_->children(element)) {

@@ -13,6 +13,10 @@
 
 namespace beeline::internal {
 
+/// The attributes that give an orientation.
+inline constexpr const char* mjcf_orientations[] = {"quat", "axisangle", "xyaxes", "zaxis",
+                                                    "euler"};
+
 /// The default classes of an MJCF file: `<default class="a"><joint .../><default class="b">...`.
 /// A class has the attributes of the class around it, except those that it gives itself.
 class MjcfDefaults {

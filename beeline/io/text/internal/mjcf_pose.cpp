@@ -12,7 +12,6 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-constexpr const char* orientations[] = {"quat", "axisangle", "xyaxes", "zaxis", "euler"};
 constexpr double min_direction = 1e-10;
 
 /// The direction of a vector. Refuses one without.
@@ -58,7 +57,7 @@ Rotation rotation_of_quaternion(const MjcfAttributes& attributes) {
 const char* orientation_given(const MjcfAttributes& attributes) {
   const char* given = nullptr;
   std::size_t nearest = 0;
-  for (const char* attribute : orientations) {
+  for (const char* attribute : mjcf_orientations) {
     const std::optional<std::size_t> level = attributes.level(attribute);
     if (!level || (given != nullptr && *level > nearest)) continue;
     if (given != nullptr && *level == 0 && nearest == 0) {

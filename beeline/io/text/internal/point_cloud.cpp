@@ -128,7 +128,7 @@ PointCloud cloud_from_json(const JsonDocument& document, const Json& json) {
   try {
     check_cloud(cloud);
     if (const Json* const pose = document.find(json, "pose")) {
-      const Pose placed = pose_from_json(document, *pose);
+      const Pose placed = shape_pose_from_json(document, *pose);
       for (Vector3& point : cloud.points) point = placed * point;
       check_cloud(cloud);
     }

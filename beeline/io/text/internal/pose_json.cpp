@@ -85,11 +85,20 @@ Pose pose_from_json(const JsonDocument& document, const Json& json) {
   if (quaternion != nullptr) pose.linear() = quaternion_from_json(document, *quaternion);
   if (rpy != nullptr) {
     const Vector3 angles = vector_from_json(document, *rpy);
-    constexpr double plausible = 4 * std::numbers::pi;
-    if (angles.cwiseAbs().maxCoeff() > plausible) {
-      document.refuse(*rpy, "has an angle of more than two revolutions; rpy is in radians");
-    }
     pose.linear() = rotation(RollPitchYaw{angles.x(), angles.y(), angles.z()});
+  }
+  return pose;
+}
+
+Pose shape_pose_from_json(const JsonDocument& document, const Json& json) {
+  const Pose pose = pose_from_json(document, json);
+  constexpr double most = 4 * std::numbers::pi;
+  if (const Json* rpy = document.find(json, "rpy")) {
+    const double largest = vector_from_json(document, *rpy).cwiseAbs().maxCoeff();
+    if (largest > most) {
+      document.refuse(*rpy, "has an angle of " + number(largest) + " rad; at most " + number(most) +
+                                ", two revolutions, are accepted: it is in radians");
+    }
   }
   return pose;
 }

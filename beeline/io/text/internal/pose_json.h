@@ -12,6 +12,10 @@ namespace beeline::internal {
 /// rows of four numbers}. Throws FileError that names the value.
 Pose pose_from_json(const JsonDocument& document, const Json& json);
 
+/// The same of a shape or a point cloud, of which no warning says that an angle is large: refuses
+/// angles beyond two revolutions, which are in degrees.
+Pose shape_pose_from_json(const JsonDocument& document, const Json& json);
+
 /// Writes a pose on one line: by xyz and rpy when these read back exactly, otherwise by its matrix.
 std::string pose_to_json(const Pose& pose);
 

@@ -92,7 +92,8 @@ Shape shape_from_json(const JsonDocument& document, const Json& json) {
     document.refuse(json, "needs exactly one of the keys " + listed(kinds) + "; it has " +
                               (given.empty() ? "none" : listed(given)));
   }
-  if (const Json* pose = document.find(json, "pose")) shape.pose = pose_from_json(document, *pose);
+  if (const Json* pose = document.find(json, "pose"))
+    shape.pose = shape_pose_from_json(document, *pose);
   if (const Json* padding = document.find(json, "padding")) {
     shape.padding = document.number(*padding);
   }

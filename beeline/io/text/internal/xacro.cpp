@@ -230,8 +230,9 @@ KeptExpansions::KeptExpansions(const XacroArguments& arguments)
   own_ = std::make_unique<internal::Expansions>();
   for (const auto& [name, value] : arguments) {
     if (!internal::is_word(name)) {
-      throw Error("\"" + internal::with_escaped_bytes(name) +
-                  "\" is no name of an argument of xacro; it has letters, digits, _ and -");
+      throw Error(
+          "\"" + internal::with_escaped_bytes(name) +
+          "\" is no name of an argument of xacro; it has letters, digits, _ and, but not first, -");
     }
     own_->arguments.push_back(name + ":=" + value);
   }
