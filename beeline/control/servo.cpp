@@ -35,9 +35,9 @@ constexpr double negligible_scale = 1e-6;
 void check_servo(const ServoOptions& options) {
   check_time_step(options.time_step);
   if (!(options.gain > 0) || !(options.gain * options.time_step <= 1)) {
-    throw Error("the gain must be above zero and at most 1 / time step = " +
-                number(1 / options.time_step) + ", not " + number(options.gain) + " (" +
-                number(ServoOptions{}.gain) + " unless given)");
+    throw Error(
+        "the gain must be above zero and at most 1 / time step = " + number(1 / options.time_step) +
+        ", not " + number(options.gain) + " (" + number(ServoOptions{}.gain) + " unless given)");
   }
   if (!(options.linear_speed > 0) || !(options.angular_speed > 0)) {
     throw Error("the speeds of a servo must be above zero, not " + number(options.linear_speed) +
