@@ -150,7 +150,6 @@ std::string internal::statement(const ReadWarning& warning, OptionStyle style) {
     case ReadWarningKind::range_ignored:
     case ReadWarningKind::constraint_ignored:
     case ReadWarningKind::likely_degrees:
-    case ReadWarningKind::no_travel:
     case ReadWarningKind::further_faults:
       return clause(warning);
     case ReadWarningKind::unknown_type:

@@ -58,7 +58,6 @@ enum class ReadWarningKind {
   repeated_element,    ///< `joint` has `count` of `element`, of which the first one counts
   likely_degrees,      ///< an angle of `joint`, or of the base or the tool if it is empty,
                        ///< `numbers`, is more than a revolution in radians
-  no_travel,           ///< the position limits of `joint` are equal, `numbers`: it cannot move
   further_faults       ///< there are `count` more
 };
 std::string name(ReadWarningKind kind);

@@ -283,22 +283,6 @@ TEST(Urdf, OtherTypesAreRefusedWithinTheChainOnly) {
   }
 }
 
-TEST(Urdf, WarnsOfAJointThatCannotMove) {
-  const auto said = [](const std::string& type, const std::string& limit) {
-    std::vector<ReadWarning> warnings;
-    arm_from_urdf(single(type, "\n" + limit), "a.urdf", {}, &warnings);
-    return warnings.empty() ? "" : sentence(warnings[0]);
-  };
-  EXPECT_EQ(said("revolute", "<limit velocity=\"2\"/>"),
-            "a.urdf:5: joint j cannot move: both of its limits are 0, which URDF takes for a limit "
-            "that is not written");
-  EXPECT_EQ(said("prismatic", "<limit lower=\"0.5\" upper=\"0.5\"/>"),
-            "a.urdf:5: joint j cannot move: both of its limits are 0.5");
-  EXPECT_EQ(said("continuous", "<limit velocity=\"2\"/>"), "");
-  EXPECT_EQ(said("revolute", ""), "");
-  EXPECT_EQ(said("revolute", "<limit upper=\"1\"/>"), "");
-}
-
 TEST(Urdf, MistakesInJointsAreNamedWithTheirLine) {
   EXPECT_REFUSED(parse_urdf(single("revolute", "\n<axis xyz=\"0 0 0\"/>")),
                  "a.urdf:5: joint j: axis 0 0 0 has no direction");

@@ -54,10 +54,6 @@ std::string ignored_fact(const ReadWarning& fault) {
     case ReadWarningKind::likely_degrees:
       return (fault.joint.empty() ? "" : "joint " + fault.joint + ": ") + "an angle of " +
              number(fault.numbers[0]) + " rad is more than a revolution; angles are in radians";
-    case ReadWarningKind::no_travel:
-      return "joint " + fault.joint + " cannot move: both of its limits are " +
-             number(fault.numbers[0]) +
-             (fault.numbers[0] == 0 ? ", which URDF takes for a limit that is not written" : "");
     case ReadWarningKind::unknown_element:
       return has + "an " + ignored(fault, "element", fault.element);
     case ReadWarningKind::unknown_attribute:
@@ -179,7 +175,6 @@ std::string fact(const ReadWarning& fault) {
     case ReadWarningKind::constant_mimic:
     case ReadWarningKind::zero_multiplier:
     case ReadWarningKind::likely_degrees:
-    case ReadWarningKind::no_travel:
     case ReadWarningKind::unknown_element:
     case ReadWarningKind::unknown_attribute:
     case ReadWarningKind::repeated_element:

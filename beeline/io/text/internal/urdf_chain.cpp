@@ -90,20 +90,6 @@ void warn_of_degrees(const UrdfFile& file, const Chain& chain, std::vector<ReadW
   }
 }
 
-/// Adds a warning of each joint of the chain whose limits are equal.
-void warn_of_no_travel(const UrdfFile& file, const Chain& chain,
-                       std::vector<ReadWarning>& warnings) {
-  for (const ChainJoint& place : chain) {
-    const UrdfFile::Joint& joint = file.joints[place.index];
-    if (!has_one_dof(joint) || joint.mimic || joint.limits.lower != joint.limits.upper) continue;
-    warnings.push_back({.kind = ReadWarningKind::no_travel,
-                        .path = file.path,
-                        .line = joint.limit_line,
-                        .joint = joint.name,
-                        .numbers = {joint.limits.lower}});
-  }
-}
-
 }  // namespace
 
 std::vector<ChainJoint> cut_chain(const UrdfFile& file, const ChainEnds& ends,
@@ -134,7 +120,6 @@ std::vector<ChainJoint> cut_chain(const UrdfTree& tree, const ChainEnds& ends,
   }
   check_faults(file, tree, chain, !ends.tip.empty());
   warn_of_degrees(file, chain, found);
-  warn_of_no_travel(file, chain, found);
   if (warnings == nullptr) return chain;
   warnings->insert(warnings->end(), found.begin(), found.end());
   warn_of_faults(file, tree, *warnings);
