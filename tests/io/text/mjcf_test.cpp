@@ -219,7 +219,7 @@ TEST(Mjcf, TheInnermostClassGivesTheOrientation) {
                                        "zaxis=\"0 0 1\""};
   for (const std::string& outer : turned) {
     for (const std::string& inner : level) {
-      const auto tool = [&](const std::string& nested, const std::string& own) {
+      const auto tool = [&](const std::string& nested, const std::string& own) -> Rotation {
         const std::string text =
             "<mujoco><default><site " + outer + "/><default class=\"c\">" + nested +
             "</default></default><worldbody><body><joint/><site name=\"s\" class=\"c\" " + own +
