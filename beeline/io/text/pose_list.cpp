@@ -145,17 +145,12 @@ PoseList read_poses(const std::string& path, const PoseFormat& format) {
 }
 
 WrittenPose parse_pose(std::string_view text, const PoseFormat& format) {
-  if (text.starts_with("p[")) {
-    const PoseFormat of_urscript{.pose_form = PoseForm::rotvec};
-    const std::vector<double> values = parse_numbers(text.substr(1), "pose");
-    const PoseColumns& columns =
-        internal::pose_columns_of(values.size(), of_urscript, "pose " + in_quotes(text) + " has ");
-    return written_pose(values, columns, of_urscript);
-  }
-  const std::vector<double> values = parse_numbers(text, "pose");
+  const bool of_urscript = text.starts_with("p[");
+  const PoseFormat read = of_urscript ? PoseFormat{.pose_form = PoseForm::rotvec} : format;
+  const std::vector<double> values = parse_numbers(text.substr(of_urscript ? 1 : 0), "pose");
   const PoseColumns& columns =
-      internal::pose_columns_of(values.size(), format, "pose " + in_quotes(text) + " has ");
-  return written_pose(values, columns, format);
+      internal::pose_columns_of(values.size(), read, "pose " + in_quotes(text) + " has ");
+  return written_pose(values, columns, read);
 }
 
 }  // namespace beeline

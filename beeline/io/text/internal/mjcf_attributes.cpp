@@ -104,7 +104,7 @@ std::size_t MjcfDefaults::class_of(const XMLElement& element, const char* attrib
 std::vector<MjcfDefaults::Source> MjcfDefaults::sources(std::string_view tag, std::size_t of_class,
                                                         std::string_view attribute) const {
   std::vector<Source> found;
-  std::size_t level = 0;
+  std::size_t level = 1;
   for (std::optional<std::size_t> at = of_class; at; at = classes_[*at].around, ++level) {
     const auto given = classes_[*at].elements.find({tag, attribute});
     if (given != classes_[*at].elements.end()) found.push_back({given->second, level});
@@ -114,18 +114,21 @@ std::vector<MjcfDefaults::Source> MjcfDefaults::sources(std::string_view tag, st
 
 int MjcfAttributes::line() const { return element_->GetLineNum(); }
 
+std::vector<MjcfDefaults::Source> MjcfAttributes::sources(const char* attribute) const {
+  std::vector<MjcfDefaults::Source> found;
+  if (defaults_ != nullptr) found = defaults_->sources(element_->Name(), class_, attribute);
+  if (element_->Attribute(attribute) != nullptr) found.insert(found.begin(), {element_, 0});
+  return found;
+}
+
 const XMLElement* MjcfAttributes::source(const char* attribute) const {
-  if (element_->Attribute(attribute) != nullptr) return element_;
-  if (defaults_ == nullptr) return nullptr;
-  const auto sources = defaults_->sources(element_->Name(), class_, attribute);
-  return sources.empty() ? nullptr : sources.front().element;
+  const auto found = sources(attribute);
+  return found.empty() ? nullptr : found.front().element;
 }
 
 std::optional<std::size_t> MjcfAttributes::level(const char* attribute) const {
-  if (element_->Attribute(attribute) != nullptr) return 0;
-  if (defaults_ == nullptr) return {};
-  const auto sources = defaults_->sources(element_->Name(), class_, attribute);
-  return sources.empty() ? std::nullopt : std::optional(1 + sources.front().level);
+  const auto found = sources(attribute);
+  return found.empty() ? std::nullopt : std::optional(found.front().level);
 }
 
 int MjcfAttributes::line_of(const char* attribute) const {
@@ -161,14 +164,9 @@ std::vector<double> MjcfAttributes::numbers(const char* attribute, std::size_t c
 
 std::vector<double> MjcfAttributes::some_numbers(const char* attribute,
                                                  std::vector<double> values) const {
-  std::vector<const XMLElement*> from;
-  if (defaults_ != nullptr) {
-    for (const auto& source : defaults_->sources(element_->Name(), class_, attribute)) {
-      from.insert(from.begin(), source.element);
-    }
-  }
-  if (element_->Attribute(attribute) != nullptr) from.push_back(element_);
-  for (const XMLElement* at : from) {
+  auto from = sources(attribute);
+  std::reverse(from.begin(), from.end());
+  for (const auto& [at, level] : from) {
     const std::vector<double> given = reader_of(*at).numbers(*at, attribute);
     if (given.size() > values.size()) {
       reader_of(*at).refuse(at->GetLineNum(), described(*at) + ": " + attribute + " has " +

@@ -32,10 +32,10 @@ class MjcfDefaults {
   std::size_t class_of(const tinyxml2::XMLElement& element, const char* attribute,
                        std::size_t otherwise) const;
 
-  /// The element of a class that gives an attribute.
+  /// An element that gives an attribute.
   struct Source {
     const tinyxml2::XMLElement* element = nullptr;
-    std::size_t level = 0;  ///< 0: the class itself; 1: the class around it; and so on
+    std::size_t level = 0;  ///< 0: itself; 1: its class; 2: the class around that; and so on
   };
 
   /// Returns the elements of a class and of those around it that give an attribute of elements with
@@ -73,8 +73,7 @@ class MjcfAttributes {
   int line() const;
   /// Returns the element that gives an attribute; null if none does.
   const tinyxml2::XMLElement* source(const char* attribute) const;
-  /// Returns where an attribute is given: 0: by the element; 1: by its class; 2: by the class
-  /// around it, and so on; none if it is not given.
+  /// Returns the level of the source; none without one.
   std::optional<std::size_t> level(const char* attribute) const;
   int line_of(const char* attribute) const;  ///< of the source; without one the element's
 
@@ -94,6 +93,9 @@ class MjcfAttributes {
   [[noreturn]] void refuse(const char* attribute, const std::string& message) const;
 
  private:
+  /// The element, its class and the classes around it, as far as they give the attribute.
+  std::vector<MjcfDefaults::Source> sources(const char* attribute) const;
+
   const tinyxml2::XMLElement* element_;
   const MjcfDefaults* defaults_;
   std::size_t class_;
